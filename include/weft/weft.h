@@ -1,0 +1,323 @@
+/* libweft: texture synthesis by example.
+ *
+ *   photo --weft_analyze_texton--> model --weft_texture_create--> texture --weft_texture_render--> pixels
+ *
+ * A model holds what was learnt from one photo. A texture is one endless realisation of a model, chosen by a
+ * seed: a pure function from positions to colours. The same position of the same texture is always the same
+ * pixel: for every window, every number of threads, and every device whose `exact` is 1.
+ *
+ * Handles    are opaque and owned by the caller: whatever a function writes through its last argument is freed
+ *            with the matching weft_*_free, in any order. NULL may be freed.
+ * Errors     are return values. WEFT_OK is 0, every error is negative, and outputs are written only on success.
+ *            weft_error_message() tells the story of the last error on this thread.
+ * Threads    any function may be called from any thread at any time; models and textures are immutable, so one
+ *            handle may be used by many threads at once. Nobody may be using what is freed.
+ * Structs    that begin with `size` may grow at their end. Start them from their _INIT value; a zero field
+ *            always means the default. A tail that this library does not know must be zero.
+ * Values     are used in the encoding they come in: sRGB in, sRGB out; data in, data out. Output is never
+ *            normalised per image; integer formats are rounded to nearest and clamped.
+ * Positions  are in pixels of the exemplar, x to the right and y down; a pixel (i, j) is the sample at its
+ *            centre (i + 0.5, j + 0.5).
+ */
+#ifndef WEFT_WEFT_H
+#define WEFT_WEFT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define WEFT_VERSION_MAJOR 0
+#define WEFT_VERSION_MINOR 1
+#define WEFT_VERSION_PATCH 0
+
+#if defined(_WIN32) && defined(WEFT_BUILD)
+#  define WEFT_API __declspec(dllexport)
+#elif defined(_WIN32) && !defined(WEFT_STATIC)
+#  define WEFT_API __declspec(dllimport)
+#elif defined(_WIN32)
+#  define WEFT_API
+#else
+#  define WEFT_API __attribute__((visibility("default")))
+#endif
+
+/* From C++17 on, noexcept is part of a function's type: a callback that may throw does not compile. */
+#if defined(__cplusplus) && __cplusplus >= 201703L
+#  define WEFT_NOEXCEPT noexcept
+#else
+#  define WEFT_NOEXCEPT
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Version and errors ---------------------------------------------------------------------------------------- */
+
+/* Version of the library that is running: major << 16 | minor << 8 | patch. */
+WEFT_API uint32_t weft_version(void) WEFT_NOEXCEPT;
+
+typedef int32_t weft_status;
+enum {
+  WEFT_OK                =  0,
+  WEFT_ERROR_ARGUMENT    = -1, /* an argument breaks its contract */
+  WEFT_ERROR_MEMORY      = -2, /* the allocator or the context's memory_limit said no */
+  WEFT_ERROR_CANCELLED   = -3, /* the progress function asked to stop */
+  WEFT_ERROR_FORMAT      = -4, /* the bytes are not a valid model */
+  WEFT_ERROR_UNSUPPORTED = -5, /* made by, or meant for, a newer libweft; or not defined for this model */
+  WEFT_ERROR_DEVICE      = -6, /* no such device, or it failed */
+  WEFT_ERROR_INTERNAL    = -7  /* a bug in libweft or in a plug-in */
+};
+
+/* "WEFT_OK", "WEFT_ERROR_ARGUMENT", ...; never NULL. */
+WEFT_API const char *weft_status_name(weft_status status) WEFT_NOEXCEPT;
+
+/* One sentence about the last error on the calling thread, naming the function, the argument and the number;
+ * never NULL. Valid until this thread's next failing call. */
+WEFT_API const char *weft_error_message(void) WEFT_NOEXCEPT;
+
+/* Devices --------------------------------------------------------------------------------------------------- */
+
+typedef struct weft_device_info {
+  uint32_t    size;
+  weft_status status;           /* WEFT_OK, or why this device cannot be used here */
+  char        name[64];         /* "scalar", "simd:avx512", "opencl:0" */
+  char        description[128]; /* of the device when usable, of the refusal when not */
+  uint32_t    exact;            /* 1: bit for bit the pixels of "scalar" */
+} weft_device_info;
+#define WEFT_DEVICE_INFO_INIT { sizeof(weft_device_info), 0, "", "", 0 }
+
+/* Devices of the built-in and of all loaded backends, best first within a backend; refused ones included. */
+WEFT_API weft_status weft_device_count(uint32_t *count) WEFT_NOEXCEPT;
+WEFT_API weft_status weft_device_get(uint32_t index, weft_device_info *info) WEFT_NOEXCEPT;
+
+/* Loads one more backend plug-in from an absolute path (see backend.h). Those beside libweft need no asking. */
+WEFT_API weft_status weft_backend_load(const char *path) WEFT_NOEXCEPT;
+
+/* Context --------------------------------------------------------------------------------------------------- */
+
+typedef struct weft_context weft_context;
+
+typedef struct weft_allocator {
+  void *(*allocate)(void *user, size_t size, size_t alignment) WEFT_NOEXCEPT; /* NULL: no memory */
+  void (*deallocate)(void *user, void *memory, size_t size, size_t alignment) WEFT_NOEXCEPT;
+  void *user;
+} weft_allocator;
+
+/* Calls task(argument, i) once for each i < count, on any threads, and returns when all are done. */
+typedef struct weft_executor {
+  void (*run)(void *user, uint32_t count, void (*task)(void *argument, uint32_t i), void *argument) WEFT_NOEXCEPT;
+  void *user;
+} weft_executor;
+
+typedef struct weft_context_options {
+  uint32_t size;
+  uint32_t threads;                /* of libweft's own pool; 0: one per available CPU; 1: the caller's only */
+  const char *device;              /* a device name, or a backend's for its best; NULL: best CPU device */
+  uint64_t memory_limit;           /* bytes held at once; 0: 4 GiB */
+  const weft_allocator *allocator; /* copied; NULL: malloc */
+  const weft_executor *executor;   /* copied; NULL: libweft's own pool */
+} weft_context_options;
+#define WEFT_CONTEXT_OPTIONS_INIT { sizeof(weft_context_options), 0, NULL, 0, NULL, NULL }
+
+/* The allocator and the executor must outlive every handle made from the context. */
+WEFT_API weft_status weft_context_create(const weft_context_options *options, weft_context **context) WEFT_NOEXCEPT;
+WEFT_API weft_status weft_context_device(const weft_context *context, weft_device_info *info) WEFT_NOEXCEPT;
+WEFT_API void weft_context_free(weft_context *context) WEFT_NOEXCEPT;
+
+/* Called on the thread that called libweft, with `done` growing from 0 to 1. A non-zero answer cancels. */
+typedef int32_t (*weft_progress)(void *user, float done) WEFT_NOEXCEPT;
+
+/* Image ----------------------------------------------------------------------------------------------------- */
+
+typedef int32_t weft_format;
+enum {
+  WEFT_FORMAT_U8  = 1, /* 0..255   stands for 0..1 */
+  WEFT_FORMAT_U16 = 2, /* 0..65535 stands for 0..1, native byte order */
+  WEFT_FORMAT_F32 = 3  /* taken as it is; must be finite */
+};
+
+/* A view of the caller's pixels, channels interleaved. Frozen: this struct will never grow. More than 4 channels
+ * are further maps of the same surface (height, roughness, ...), analysed and synthesised together. */
+typedef struct weft_image {
+  void       *data;
+  int64_t     stride;   /* bytes from one row to the next; 0: rows are packed; may be negative */
+  uint32_t    width;    /* 1..65536 */
+  uint32_t    height;   /* 1..65536 */
+  uint32_t    channels; /* 1..16 */
+  weft_format format;
+} weft_image;
+
+/* Analysis: photo -> model ---------------------------------------------------------------------------------- */
+
+typedef struct weft_model weft_model;
+
+typedef int32_t weft_interpolation;
+enum {
+  WEFT_INTERPOLATION_DEFAULT = 0, /* linear */
+  WEFT_INTERPOLATION_NEAREST = 1, /* B-spline of order 0: one coefficient per impact */
+  WEFT_INTERPOLATION_LINEAR  = 2, /* order 1: 2 x 2 */
+  WEFT_INTERPOLATION_CUBIC   = 4, /* order 3: 4 x 4 */
+  WEFT_INTERPOLATION_QUINTIC = 6  /* order 5: 6 x 6 */
+};
+
+typedef int32_t weft_projection;
+enum {
+  WEFT_PROJECTION_DEFAULT  = 0, /* accelerated */
+  WEFT_PROJECTION_PLAIN    = 1, /* alternating projections as Algorithm 1 of the paper has them */
+  WEFT_PROJECTION_MOMENTUM = 2  /* the same two projections, each from a point beyond the last (Nesterov 1983) */
+};
+
+/* Texton noise: Galerne, Leclaire, Moisan, "Texton Noise", Computer Graphics Forum 2017. */
+typedef struct weft_texton_options {
+  uint32_t           size;
+  uint32_t           support;       /* edge of the texton in coefficients, 1..the photo's shorter side; 0: 64, or that side */
+  uint32_t           iterations;    /* of the projections; 0: chosen by measurement, see README */
+  weft_interpolation interpolation; /* how the texton's coefficients are interpolated */
+  weft_projection    projection;
+  uint32_t           zero;
+  uint64_t           seed;          /* of the white noise that the projections start from */
+} weft_texton_options;
+#define WEFT_TEXTON_OPTIONS_INIT { sizeof(weft_texton_options), 0, 0, 0, 0, 0, 0 }
+
+/* Learns a texton from a photo of 8 x 8 to 8192 x 8192 pixels. `options` may be NULL, and so may `progress`. */
+WEFT_API weft_status weft_analyze_texton(weft_context *context, const weft_image *photo, const weft_texton_options *options,
+                                         weft_progress progress, void *user, weft_model **model) WEFT_NOEXCEPT;
+
+/* A picture as it is, repeated in both directions: the simplest texture. 1 x 1 to 16384 x 16384 pixels. */
+WEFT_API weft_status weft_analyze_picture(weft_context *context, const weft_image *picture, weft_model **model) WEFT_NOEXCEPT;
+
+/* Model ----------------------------------------------------------------------------------------------------- */
+
+typedef int32_t weft_method;
+enum {
+  WEFT_METHOD_TEXTON  = 1, /* texton noise */
+  WEFT_METHOD_PICTURE = 5  /* a picture, repeated; 2, 3 and 4 are kept for wavelet noise, bi-layer and stationary textures */
+};
+
+typedef struct weft_model_info {
+  uint32_t    size;
+  weft_method method;
+  uint32_t    channels;
+  uint32_t    parts;         /* images that weft_model_part hands out */
+  uint64_t    bytes;         /* of weft_model_save */
+  uint32_t    width, height; /* of the texton or picture, in pixels of the exemplar */
+  float       model_error;   /* relative model error against the periodogram of the photo (Xia et al. 2014): 0 best; -1: unknown */
+  weft_interpolation interpolation; /* of the texton; 0 for other methods */
+  float       mean[16];      /* of the texture, per channel: exact */
+  float       deviation[16]; /* standard deviation of the texture at pixel centres, level 0, per channel */
+} weft_model_info;
+#define WEFT_MODEL_INFO_INIT { sizeof(weft_model_info), 0, 0, 0, 0, 0, 0, 0, 0, { 0 }, { 0 } }
+
+/* Untrusted bytes are welcome: every field is checked before it is used. */
+WEFT_API weft_status weft_model_load(weft_context *context, const void *bytes, size_t size, weft_model **model) WEFT_NOEXCEPT;
+
+/* Writes exactly weft_model_info.bytes; the same model always gives the same bytes. `size` must be that number. */
+WEFT_API weft_status weft_model_save(const weft_model *model, void *bytes, size_t size) WEFT_NOEXCEPT;
+
+/* The `.texton` text of the authors of texton noise: one texton of 1 or 3 channels. The text need not end with a NUL.
+ * Its values are those of colours in 0..255; a model's are in 0..1. */
+WEFT_API weft_status weft_model_load_texton(weft_context *context, const char *text, size_t size, weft_model **model) WEFT_NOEXCEPT;
+
+/* Writes the text, without a NUL, and its length to `*length`. With text NULL and size 0 only the length.
+ * WEFT_ERROR_UNSUPPORTED: the model is no texton of 1 or 3 channels. */
+WEFT_API weft_status weft_model_save_texton(const weft_model *model, char *text, size_t size, size_t *length) WEFT_NOEXCEPT;
+
+WEFT_API weft_status weft_model_get(const weft_model *model, weft_model_info *info) WEFT_NOEXCEPT;
+
+/* What a model holds, as images for people and for other programs. */
+typedef struct weft_part_info {
+  uint32_t size;
+  char     name[32]; /* "texton", "picture" */
+  uint32_t width, height, channels;
+  float    low, high; /* least and greatest value in it */
+} weft_part_info;
+#define WEFT_PART_INFO_INIT { sizeof(weft_part_info), "", 0, 0, 0, 0, 0 }
+
+/* Part `index`, below weft_model_info.parts. */
+WEFT_API weft_status weft_model_part(const weft_model *model, uint32_t index, weft_part_info *info) WEFT_NOEXCEPT;
+
+/* Fills `image`, whose size, channels and format (F32) must be the part's, with the part's values as they are. */
+WEFT_API weft_status weft_model_part_read(const weft_model *model, uint32_t index, const weft_image *image) WEFT_NOEXCEPT;
+
+WEFT_API void weft_model_free(weft_model *model) WEFT_NOEXCEPT;
+
+/* Synthesis: model -> pixels -------------------------------------------------------------------------------- */
+
+typedef struct weft_texture weft_texture;
+
+typedef struct weft_texture_options {
+  uint32_t size;
+  uint32_t period_x, period_y; /* pixels after which the texture repeats exactly, up to 2^24; 0: a noise never, a picture after itself */
+  float    impacts;            /* mean number of impacts of a noise, 1..1000; 0: 30 */
+  uint64_t seed;
+} weft_texture_options;
+#define WEFT_TEXTURE_OPTIONS_INIT { sizeof(weft_texture_options), 0, 0, 0, 0 }
+
+/* `options` may be NULL. A picture takes only periods that are multiples of its size; else WEFT_ERROR_ARGUMENT. */
+WEFT_API weft_status weft_texture_create(weft_context *context, const weft_model *model, const weft_texture_options *options,
+                                         weft_texture **texture) WEFT_NOEXCEPT;
+
+/* Fills `image` with the texture's pixels from (x, y) on, at mip level `level`, 0..30: one pixel covers 2^level pixels a
+ * side, prefiltered, and x and y count such pixels. Two renderings that overlap agree exactly, everywhere within 2^60
+ * pixels (of level 0) of the origin. */
+WEFT_API weft_status weft_texture_render(const weft_texture *texture, int64_t x, int64_t y, uint32_t level,
+                                         weft_progress progress, void *user, const weft_image *image) WEFT_NOEXCEPT;
+
+/* What a renderer's shading point knows. Zero derivatives: no filtering. Everything finite, |x| and |y| below 2^52. */
+typedef struct weft_point {
+  double x, y;
+  float  dx[2], dy[2]; /* change of (x, y) from one screen pixel to the next, along the screen's two axes */
+} weft_point;
+
+/* `out` receives `count` * channels floats. Runs on the calling thread; safe from any number of threads at once;
+ * allocates nothing. */
+WEFT_API weft_status weft_texture_sample(const weft_texture *texture, size_t count, const weft_point *points,
+                                         float *out) WEFT_NOEXCEPT;
+
+WEFT_API void weft_texture_free(weft_texture *texture) WEFT_NOEXCEPT;
+
+/* Texture analysis ------------------------------------------------------------------------------------------- */
+
+/* Power spectrum, channel by channel: the mean squared modulus of the DFT of Hann-windowed segments of spectrum's width
+ * and height at half overlap (Welch 1967), mean removed, scaled so that its sum over all frequencies is the variance.
+ * `spectrum` is F32, has the image's channels, and is not larger than it; frequency 0 is at (width / 2, height / 2). */
+WEFT_API weft_status weft_power_spectrum(weft_context *context, const weft_image *image, const weft_image *spectrum) WEFT_NOEXCEPT;
+
+/* Autocovariance, channel by channel, unbiased: the mean over all pairs of pixels at that lag. `autocovariance` is F32,
+ * has the image's channels, and is not larger than it; lag 0 is at (width / 2, height / 2). */
+WEFT_API weft_status weft_autocovariance(weft_context *context, const weft_image *image, const weft_image *autocovariance) WEFT_NOEXCEPT;
+
+/* How many values of each channel lie in each of `bins` equal intervals of [low, high]; values outside are counted in the
+ * nearest. `counts` receives channels * bins numbers, channel by channel. bins: 1..65536. */
+WEFT_API weft_status weft_histogram(weft_context *context, const weft_image *image, float low, float high, uint32_t bins,
+                                    uint64_t *counts) WEFT_NOEXCEPT;
+
+typedef struct weft_compare_options {
+  uint32_t size;
+  uint32_t zero;
+  uint64_t seed; /* of random directions, windows and null realisations */
+} weft_compare_options;
+#define WEFT_COMPARE_OPTIONS_INIT { sizeof(weft_compare_options), 0, 0 }
+
+/* How close an output is to its exemplar. -1: not defined for images this small or this constant. */
+typedef struct weft_comparison {
+  uint32_t size;
+  float    model_error;
+  float    histogram_distance;
+  float    autocovariance_error;
+  float    patch_distance;
+  float    patch_distance_level[3];
+  float    repetition;
+  float    verbatim_copy;
+  float    seam_score;
+} weft_comparison;
+#define WEFT_COMPARISON_INIT { sizeof(weft_comparison), 0, 0, 0, 0, { 0 }, 0, 0, 0 }
+
+/* `options` may be NULL. Both images have the same channels and at least 16 x 16 pixels. */
+WEFT_API weft_status weft_compare(weft_context *context, const weft_image *exemplar, const weft_image *output,
+                                  const weft_compare_options *options, weft_progress progress, void *user,
+                                  weft_comparison *comparison) WEFT_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,26 @@
+/// Memory whose size depends on data: the caller's allocator or malloc, counted, with a limit.
+#pragma once
+#include <weft/weft.h>
+#include <atomic>
+#include <memory_resource>
+
+namespace weft {
+
+/// Throws Error(WEFT_ERROR_MEMORY) when the allocator or the limit says no. Thread-safe.
+class Memory final : public std::pmr::memory_resource {
+public:
+    Memory(const weft_allocator* allocator, std::uint64_t limit) noexcept; ///< NULL: malloc; 0: 4 GiB
+    std::uint64_t used() const noexcept { return used_.load(std::memory_order_relaxed); }
+    std::uint64_t limit() const noexcept { return limit_; }
+
+private:
+    void* do_allocate(std::size_t bytes, std::size_t alignment) override;
+    void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override;
+    bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
+
+    weft_allocator allocator_;
+    std::uint64_t limit_;
+    std::atomic<std::uint64_t> used_{0};
+};
+
+} // namespace weft

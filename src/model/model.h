@@ -1,0 +1,32 @@
+/// What was learnt from a photo: method, mean colour, layers. Immutable once made; the file format is in FORMAT.md.
+#pragma once
+#include "base/array.h"
+#include <weft/weft.h>
+#include <array>
+#include <memory_resource>
+
+namespace weft {
+
+constexpr std::uint32_t most_channels = 16;
+
+/// A texton's coefficients alpha (Galerne et al. 2017, equation 3), the kernel of the noise
+/// g(x) = mean + (1 / sqrt(lambda)) (sum_j h(x - x_j) - lambda sum_k alpha(k)), h the B-spline surface through alpha.
+struct Texton {
+    Planes coefficients;      ///< one plane per channel, 1..16384 a side
+    std::uint32_t taps = 2;   ///< of the interpolation per axis: 1, 2, 4, 6
+    float model_error = -1;   ///< against the photo's periodogram; -1: unknown
+};
+
+/// Invariants are check_model's. Exactly one of `texton` and `picture` is filled, as `method` says.
+struct Model {
+    weft_method method = 0;
+    std::uint32_t channels = 0;
+    std::array<float, most_channels> mean{}; ///< TEXTON: of the noise; PICTURE: 0
+    Texton texton;                           ///< WEFT_METHOD_TEXTON
+    Planes picture;                          ///< WEFT_METHOD_PICTURE
+};
+
+/// Throws Error(WEFT_ERROR_FORMAT) unless every number is finite and every count within its bounds.
+void check_model(const Model& model);
+
+} // namespace weft
