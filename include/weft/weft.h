@@ -213,11 +213,12 @@ WEFT_API weft_status weft_model_load(weft_context *context, const void *bytes, s
 /* Writes exactly weft_model_info.bytes; the same model always gives the same bytes. `size` must be that number. */
 WEFT_API weft_status weft_model_save(const weft_model *model, void *bytes, size_t size) WEFT_NOEXCEPT;
 
-/* The `.texton` text of the authors of texton noise: one texton of 1 or 3 channels. The text need not end with a NUL.
- * Its values are those of colours in 0..255; a model's are in 0..1. */
+/* The `.texton` text of the authors of texton noise: one texton of 3 channels, its values in 0..1 as a model's are. Its
+ * frame of zeros is taken off if it is whole. The text need not end with a NUL. */
 WEFT_API weft_status weft_model_load_texton(weft_context *context, const char *text, size_t size, weft_model **model) WEFT_NOEXCEPT;
 
-/* Writes the text, without a NUL, and its length to `*length`. With text NULL and size 0 only the length.
+/* Writes the text, without a NUL, and its length to `*length`. With text NULL and size 0 only the length. Every float
+ * comes back from the text as it was; one channel is written three times over, as the text knows only colours.
  * WEFT_ERROR_UNSUPPORTED: the model is no texton of 1 or 3 channels. */
 WEFT_API weft_status weft_model_save_texton(const weft_model *model, char *text, size_t size, size_t *length) WEFT_NOEXCEPT;
 
