@@ -266,7 +266,7 @@ WEFT_API weft_status weft_texture_render(const weft_texture *texture, int64_t x,
 /* What a renderer's shading point knows. Zero derivatives: no filtering. Everything finite, |x| and |y| below 2^52. */
 typedef struct weft_point {
   double x, y;
-  float  dx[2], dy[2]; /* change of (x, y) from one screen pixel to the next, along the screen's two axes */
+  float  dx[2], dy[2]; /* change of x, and of y, from one screen pixel to the next: [0] to the right, [1] down */
 } weft_point;
 
 /* `out` receives `count` * channels floats. Runs on the calling thread; safe from any number of threads at once;
