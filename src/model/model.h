@@ -8,6 +8,7 @@
 namespace weft {
 
 constexpr std::uint32_t most_channels = 16;
+constexpr std::uint32_t most_side = 16384; ///< of a texton or a picture
 
 /// A texton's coefficients alpha (Galerne et al. 2017, equation 3), the kernel of the noise
 /// g(x) = mean + (1 / sqrt(lambda)) (sum_j h(x - x_j) - lambda sum_k alpha(k)), h the B-spline surface through alpha.
@@ -26,7 +27,8 @@ struct Model {
     Planes picture;                          ///< WEFT_METHOD_PICTURE
 };
 
-/// Throws Error(WEFT_ERROR_FORMAT) unless every number is finite and every count within its bounds.
+/// Throws Error(WEFT_ERROR_FORMAT) unless every number is finite and every count within its bounds, and
+/// Error(WEFT_ERROR_UNSUPPORTED) for a method that is not known.
 void check_model(const Model& model);
 
 } // namespace weft

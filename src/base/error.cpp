@@ -1,0 +1,23 @@
+/// This thread's last sentence.
+#include "base/error.h"
+
+namespace weft {
+
+namespace {
+thread_local char message[256] = "no error"; // a plain array: nothing to destroy when a thread ends
+}
+
+const char* last_message() noexcept { return message; }
+
+weft_status set_last_message(weft_status status, const char* sentence) noexcept
+{
+    std::size_t n = 0;
+    while (n < sizeof message - 1 && sentence[n]) {
+        message[n] = sentence[n];
+        ++n;
+    }
+    message[n] = 0;
+    return status;
+}
+
+} // namespace weft

@@ -1,0 +1,166 @@
+/// Bytes -> model. Every field is checked before it is used, every size before anything is allocated.
+#include "base/bytes.h"
+#include "base/crc32c.h"
+#include "model/file.h"
+#include "model/file_layout.h"
+
+namespace weft {
+
+namespace {
+
+template <class... Parts> void demand(bool good, const Parts&... parts)
+{
+    if (!good) throw Error(WEFT_ERROR_FORMAT, parts...);
+}
+
+struct Header {
+    std::uint16_t minor;
+    std::uint32_t chunks;
+};
+
+Header read_header(Reader& file)
+{
+    const std::size_t size = file.remaining();
+    const unsigned char* begin = file.take(file::header_size);
+    Reader reader(begin, file::header_size);
+    demand(std::memcmp(reader.take(sizeof file::magic), file::magic, sizeof file::magic) == 0, "the bytes do not begin as a model's");
+    const std::uint16_t major = reader.u16();
+    if (major > file::major)
+        throw Error(WEFT_ERROR_UNSUPPORTED, "the model's format is ", major, ".x, this libweft reads ", file::major, ".x");
+    demand(major == file::major, "the model's format is ", major, ".x, which never was");
+    Header header{};
+    header.minor = reader.u16();
+    header.chunks = reader.u32();
+    const std::uint64_t file_size = reader.u64();
+    const std::uint32_t zero = reader.u32();
+    demand(reader.u32() == crc32c(begin, file::header_size - 4), "the header's checksum is wrong");
+    demand(file_size == size, "the model has ", file_size, " bytes, ", size, " were given");
+    demand(zero == 0, "the header's reserved field is ", zero);
+    demand(header.chunks >= 2 && header.chunks <= file::most_chunks, "the model has ", header.chunks, " chunks, not 2..64");
+    return header;
+}
+
+struct Chunk {
+    std::uint32_t kind;
+    bool ignorable;
+    Reader payload;
+};
+
+Chunk read_chunk(Reader& file)
+{
+    const unsigned char* begin = file.take(file::chunk_header_size);
+    Reader reader(begin, file::chunk_header_size);
+    const std::uint32_t kind = reader.u32(), flags = reader.u32();
+    const std::uint64_t length = reader.u64();
+    const std::uint32_t crc = reader.u32(), zero = reader.u32();
+    demand(length <= file.remaining(), "a chunk has ", length, " bytes, but only ", file.remaining(), " follow");
+    const unsigned char* payload = file.take(length);
+    const std::uint64_t pad = file::padded(length) - length;
+    const unsigned char* padding = file.take(pad);
+    for (std::uint64_t i = 0; i < pad; ++i) demand(padding[i] == 0, "a chunk's padding is not zero");
+    demand(crc == crc32c(payload, static_cast<std::size_t>(length), crc32c(begin, 16)), "a chunk's checksum is wrong");
+    demand(zero == 0, "a chunk's reserved field is ", zero);
+    demand((flags & ~file::ignorable) == 0, "a chunk's flags are ", flags);
+    return {kind, (flags & file::ignorable) != 0, Reader(payload, static_cast<std::size_t>(length))};
+}
+
+struct Method {
+    std::uint32_t layers;
+};
+
+Method read_method(const Chunk& chunk, Model& model)
+{
+    demand(chunk.kind == file::meth && !chunk.ignorable, "the first chunk is not METH");
+    Reader reader = chunk.payload;
+    const std::uint32_t method = reader.u32();
+    model.channels = reader.u32();
+    const Method result{reader.u32()};
+    const std::uint32_t flags = reader.u32();
+    demand(model.channels >= 1 && model.channels <= most_channels, "the model has ", model.channels, " channels, not 1..16");
+    demand(result.layers >= 1 && result.layers <= file::most_layers, "the model has ", result.layers, " layers, not 1..32");
+    demand(flags == 0, "METH's flags are ", flags);
+    demand(reader.remaining() == std::size_t{model.channels} * 4, "METH has ", chunk.payload.remaining(), " bytes");
+    reader.floats(model.mean.data(), model.channels);
+    if (method != WEFT_METHOD_TEXTON && method != WEFT_METHOD_PICTURE)
+        throw Error(WEFT_ERROR_UNSUPPORTED, "method ", method, " is not known to this libweft");
+    demand(result.layers == 1, "the model has ", result.layers, " layers, its method has 1");
+    model.method = static_cast<weft_method>(method);
+    return result;
+}
+
+/// The floats that end a chunk. Factors are bounded before they are multiplied, the product compared before allocation.
+Planes read_planes(Reader& reader, std::pmr::memory_resource* memory, std::uint32_t width, std::uint32_t height, std::uint32_t planes,
+                   const Model& model)
+{
+    demand(width >= 1 && width <= most_side && height >= 1 && height <= most_side, "a layer has ", width, " x ", height, " values, not 1..",
+           most_side, " a side");
+    demand(planes == model.channels, "a layer has ", planes, " planes, the model has ", model.channels, " channels");
+    const std::uint64_t bytes = std::uint64_t{width} * height * planes * 4;
+    demand(bytes == reader.remaining(), "a layer has ", reader.remaining(), " bytes of values, its sizes say ", bytes);
+    Planes result(memory, width, height, planes, Array<float>::unset);
+    reader.floats(result.values.data(), result.values.size());
+    return result;
+}
+
+void read_splat(Reader reader, std::pmr::memory_resource* memory, Model& model)
+{
+    demand(model.method == WEFT_METHOD_TEXTON, "a picture's model has a chunk SPLT");
+    const std::uint32_t width = reader.u32(), height = reader.u32(), planes = reader.u32(), images = reader.u32();
+    model.texton.taps = reader.u32();
+    model.texton.model_error = reader.f32();
+    demand(reader.u32() == 0 && reader.u32() == 0, "SPLT's reserved fields are not zero");
+    demand(images == 1, "SPLT has ", images, " images, a texton has 1");
+    model.texton.coefficients = read_planes(reader, memory, width, height, planes, model);
+}
+
+void read_tile(Reader reader, std::pmr::memory_resource* memory, Model& model)
+{
+    demand(model.method == WEFT_METHOD_PICTURE, "a texton's model has a chunk TILE");
+    const std::uint32_t width = reader.u32(), height = reader.u32(), planes = reader.u32();
+    demand(reader.u32() == 0, "TILE's reserved field is not zero");
+    model.picture = read_planes(reader, memory, width, height, planes, model);
+}
+
+[[noreturn]] void refuse_kind(std::uint32_t kind)
+{
+    char letters[5] = {};
+    for (unsigned i = 0; i < 4; ++i) {
+        const auto letter = static_cast<char>(kind >> 8 * i & 255);
+        letters[i] = letter >= ' ' && letter <= '~' ? letter : '?';
+    }
+    throw Error(WEFT_ERROR_UNSUPPORTED, "the model has a chunk ", std::string_view(letters, 4), ", which this libweft does not know");
+}
+
+} // namespace
+
+Model read_model(std::pmr::memory_resource* memory, const unsigned char* bytes, std::size_t size)
+{
+    Reader reader(bytes, size);
+    const Header header = read_header(reader);
+    Model model;
+    const Method method = read_method(read_chunk(reader), model);
+    std::uint32_t layers = 0;
+    bool ignored = false;
+    for (std::uint32_t i = 1; i < header.chunks; ++i) {
+        const Chunk chunk = read_chunk(reader);
+        if (chunk.kind == file::meth || chunk.kind == file::splt || chunk.kind == file::tile) {
+            demand(!chunk.ignorable && chunk.kind != file::meth, "a chunk is marked as ignorable, or is a second METH");
+            demand(layers++ < method.layers, "the model has more layers than METH says");
+            if (chunk.kind == file::splt)
+                read_splat(chunk.payload, memory, model);
+            else
+                read_tile(chunk.payload, memory, model);
+        } else if (chunk.ignorable) {
+            ignored = true;
+        } else {
+            refuse_kind(chunk.kind);
+        }
+    }
+    demand(reader.remaining() == 0, reader.remaining(), " bytes follow the last chunk");
+    demand(layers == method.layers, "the model has ", layers, " layers, METH says ", method.layers);
+    demand(header.minor == file::minor || ignored, "the model's format is 1.", header.minor, ", but nothing in it is newer than 1.0");
+    check_model(model);
+    return model;
+}
+
+} // namespace weft

@@ -1,0 +1,15 @@
+/// Mean and standard deviation of the textures that a model makes.
+#pragma once
+#include "base/parallel.h"
+#include "model/model.h"
+
+namespace weft {
+
+struct Statistics {
+    std::array<float, most_channels> mean{}, deviation{};
+};
+
+/// At pixel centres of level 0, per channel. The same on every machine: sums in double, in a fixed order.
+Statistics statistics_of(const Model& model, std::pmr::memory_resource* memory, Parallel& parallel);
+
+} // namespace weft
