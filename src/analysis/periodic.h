@@ -1,0 +1,10 @@
+/// The periodic component of a picture (Moisan 2011): what remains when the jumps between opposite borders are spread out.
+#pragma once
+#include "analysis/spectra.h"
+
+namespace weft {
+
+/// Turns `spectra`, the DFTs of `planes`, into the DFTs of their periodic components.
+void keep_periodic_component(Core& core, const Planes& planes, Spectra& spectra);
+
+} // namespace weft
