@@ -1,0 +1,114 @@
+/* weft analyze: photo -> model. */
+#include "clock.h"
+#include "command.h"
+#include "file.h"
+#include "json.h"
+#include "open.h"
+#include "options.h"
+#include "progress.h"
+#include "report.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char notes[] =
+    "A photo is a PNG of any colour type and depth. Grey gives a model of 1 channel, colour of 3; alpha is a channel "
+    "of\n"
+    "its own where it is not opaque everywhere. Values are used as they are: no gamma, no colour profile. Several "
+    "photos\n"
+    "are further maps of one surface, in register and of one size: their channels are analysed together.\n"
+    "Method texton is texton noise, for textures without structure; picture repeats the photo as it is.";
+
+typedef struct analyze_options {
+    const char* output;
+    uint32_t method, interpolation, projection; /* indices of the words below */
+    weft_texton_options texton;
+} analyze_options;
+
+static int parse(analyze_options* o, arguments* common, int count, char** words)
+{
+    const weft_texton_options defaults = WEFT_TEXTON_OPTIONS_INIT;
+    const option table[] = {
+        {"-o", OPTION_TEXT, &o->output, "MODEL", "where the model goes", 0, 0},
+        {"--method", OPTION_CHOICE, &o->method, "texton|picture", "what to learn; default texton", 0, 0},
+        {"--support", OPTION_COUNT, &o->texton.support, "N", "edge of the texton in pixels; default 64", 1, 8192},
+        {"--iterations", OPTION_COUNT, &o->texton.iterations, "N", "of the projections", 1, 1000000},
+        {"--interpolation", OPTION_CHOICE, &o->interpolation, "0|1|3|5", "order of the B-spline; default 1", 0, 0},
+        {"--projection", OPTION_CHOICE, &o->projection, "plain|momentum", "Algorithm 1 as published, or accelerated", 0,
+         0},
+        {"--seed", OPTION_SEED, &o->texton.seed, "N", "of the noise that the projections start from; default 0", 0, 0},
+    };
+    const command_line line = {
+        "analyze", "PHOTO... -o MODEL", "Learns a model from a photo.", notes, table, sizeof table / sizeof table[0],
+        1,         MOST_OPERANDS};
+    static const weft_interpolation orders[] = {WEFT_INTERPOLATION_NEAREST, WEFT_INTERPOLATION_LINEAR,
+                                                WEFT_INTERPOLATION_CUBIC, WEFT_INTERPOLATION_QUINTIC};
+    static const weft_projection projections[] = {WEFT_PROJECTION_PLAIN, WEFT_PROJECTION_MOMENTUM};
+    memset(o, 0, sizeof *o);
+    o->texton = defaults;
+    o->interpolation = o->projection = UINT32_MAX;
+    int code = parse_arguments(&line, count, words, common);
+    if (code >= 0) return code;
+    if (!o->output) return misused("it needs -o MODEL");
+    if (o->interpolation != UINT32_MAX) o->texton.interpolation = orders[o->interpolation];
+    if (o->projection != UINT32_MAX) o->texton.projection = projections[o->projection];
+    return check_stdout(common->json, o->output) ? EXIT_USAGE : -1;
+}
+
+static int analyze(weft_context* context, const weft_image* photo, const analyze_options* o, weft_model** model)
+{
+    progress_span whole = {0, 1};
+    weft_status status = o->method == 0 ? weft_analyze_texton(context, photo, &o->texton, progress_step, &whole, model)
+                                        : weft_analyze_picture(context, photo, model);
+    progress_clear();
+    return status == WEFT_OK ? EXIT_FINE : failed_weft(status);
+}
+
+static void report(const weft_model_info* info, const analyze_options* o, const arguments* common, double seconds)
+{
+    if (common->json) {
+        json out = json_begin(stdout);
+        json_object(&out, NULL);
+        json_text(&out, "model", o->output);
+        json_text(&out, "method", method_name(info->method));
+        json_unsigned(&out, "channels", info->channels);
+        json_unsigned(&out, "width", info->width);
+        json_unsigned(&out, "height", info->height);
+        if (info->model_error < 0)
+            json_null(&out, "model_error");
+        else
+            json_real(&out, "model_error", (double)info->model_error);
+        json_unsigned(&out, "bytes", info->bytes);
+        json_real(&out, "seconds", seconds);
+        json_end(&out);
+    } else if (!common->quiet && strcmp(o->output, "-") != 0) {
+        printf("%s: %s of %u x %u, channels %u, %.0f KiB", o->output, method_name(info->method), info->width,
+               info->height, info->channels, (double)info->bytes / 1024);
+        if (info->model_error >= 0) printf(", relative model error %.3f", (double)info->model_error);
+        printf(", %.2f s\n", seconds);
+    }
+}
+
+int command_analyze(int count, char** words)
+{
+    analyze_options o;
+    arguments common;
+    weft_model_info info = WEFT_MODEL_INFO_INIT;
+    weft_context* context = NULL;
+    weft_model* model = NULL;
+    weft_image photo = {NULL, 0, 0, 0, 0, 0};
+    int code = parse(&o, &common, count, words);
+    if (code >= 0) return code;
+    progress_begin(common.quiet);
+    code = open_context(&common, &context);
+    if (code == EXIT_FINE) code = open_photos(common.operand, common.operands, &photo);
+    double begin = wall_seconds();
+    if (code == EXIT_FINE) code = analyze(context, &photo, &o, &model);
+    double seconds = wall_seconds() - begin;
+    if (code == EXIT_FINE) code = save_model(model, o.output);
+    if (code == EXIT_FINE && weft_model_get(model, &info) == WEFT_OK) report(&info, &o, &common, seconds);
+    weft_model_free(model);
+    weft_context_free(context);
+    free(photo.data);
+    return code;
+}

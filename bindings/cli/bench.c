@@ -1,0 +1,55 @@
+/* weft bench: speed of each device on one model, beside the limits of the machine and the paper's shader, in one run.
+ */
+#include "bench.h"
+#include "command.h"
+#include "open.h"
+#include "progress.h"
+#include "report.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char notes[] =
+    "Each device is measured with one thread and with all (or --threads N). --device NAME measures that one and "
+    "scalar.\n"
+    "Speeds are those of the best of the repetitions, which are taken in turns; per_processor_second counts the time "
+    "that\n"
+    "the processor gave to all threads, which other programs disturb less. Ratios compare within this run:\n"
+    "  of peak    channels * 3 * impacts multiply-adds per pixel, of what the machine does in registers\n"
+    "  of stores  bytes of the picture, of what the machine writes to memory\n"
+    "  x gather   against the paper's shader, which draws the points anew for every pixel; on 64 rows of the window\n"
+    "Points are incoherent, in a square of 4096 pixels, without filtering; fewer than a million where that takes long.";
+
+int command_bench(int count, char** words)
+{
+    static bench b;
+    const option table[] = {
+        {"--size", OPTION_EXTENT, &b.size, "WxH", "of the window; default 1024x1024", 1, 16384},
+        {"--impacts", OPTION_REAL, &b.impacts, "N", "mean number of impacts; default 30", 1, 1000},
+        {"--repetitions", OPTION_COUNT, &b.repetitions, "N", "of every measurement; default 5", 1, MOST_REPETITIONS},
+    };
+    const command_line line = {"bench", "MODEL", "Measures speed beside the machine's limits.",
+                               notes,   table,   sizeof table / sizeof table[0],
+                               1,       1};
+    arguments common;
+    weft_context* context = NULL;
+    memset(&b, 0, sizeof b);
+    b.size.width = b.size.height = 1024;
+    b.impacts = 30;
+    b.repetitions = 5;
+    int code = parse_arguments(&line, count, words, &common);
+    if (code >= 0) return code;
+    progress_begin(common.quiet);
+    b.path = common.operand[0];
+    code = open_context(&common, &context);
+    if (code == EXIT_FINE) code = open_model(context, b.path, &b.model, &b.info);
+    if (code == EXIT_FINE) code = bench_prepare(&b, &common);
+    if (code == EXIT_FINE) code = bench_measure(&b);
+    if (code == EXIT_FINE && common.json)
+        bench_write_json(&b);
+    else if (code == EXIT_FINE)
+        bench_write_text(&b);
+    bench_free(&b);
+    weft_context_free(context);
+    return code;
+}

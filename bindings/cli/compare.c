@@ -1,0 +1,106 @@
+/* weft compare: how close an output is to its exemplar. */
+#include "command.h"
+#include "json.h"
+#include "open.h"
+#include "options.h"
+#include "progress.h"
+#include "report.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char notes[] =
+    "Two PNGs of the same channels. What a method does not promise it may miss: texton noise promises mean, "
+    "covariance\n"
+    "and spectrum, and neither the histogram nor the patches of a photo with structure. A measure that is not defined "
+    "for\n"
+    "images this small or this constant is `-`, null in JSON. The README of libweft says how each is computed.";
+
+typedef struct measure {
+    const char* key;
+    float value;
+    const char* good;
+} measure;
+
+enum { MEASURES = 10 };
+
+static void list_measures(const weft_comparison* c, measure list[MEASURES])
+{
+    const measure all[MEASURES] = {
+        {"model_error", c->model_error, "below 0.15"},
+        {"histogram_distance", c->histogram_distance, "below 0.15"},
+        {"autocovariance_error", c->autocovariance_error, "below 0.25; large textures and small photos scatter more"},
+        {"patch_distance", c->patch_distance, "below 0.10"},
+        {"patch_distance_level_0", c->patch_distance_level[0], NULL},
+        {"patch_distance_level_1", c->patch_distance_level[1], NULL},
+        {"patch_distance_level_2", c->patch_distance_level[2], NULL},
+        {"repetition", c->repetition, "below 1.6; 1 is a noise that never repeats"},
+        {"verbatim_copy", c->verbatim_copy, "below 0.5; about 0.3 is chance"},
+        {"seam_score", c->seam_score, "between -2 and 2, if the output is to tile"},
+    };
+    memcpy(list, all, sizeof all);
+}
+
+static void write_json(const weft_comparison* comparison)
+{
+    measure list[MEASURES];
+    list_measures(comparison, list);
+    json out = json_begin(stdout);
+    json_object(&out, NULL);
+    for (int i = 0; i < MEASURES; i++) {
+        if (list[i].value == -1.0f)
+            json_null(&out, list[i].key);
+        else
+            json_real(&out, list[i].key, (double)list[i].value);
+    }
+    json_end(&out);
+}
+
+static void write_text(const weft_comparison* comparison)
+{
+    measure list[MEASURES];
+    list_measures(comparison, list);
+    for (int i = 0; i < MEASURES; i++) {
+        char value[32] = "-";
+        if (list[i].value != -1.0f) snprintf(value, sizeof value, "%.4f", (double)list[i].value);
+        printf("%-24s %10s%s%s\n", list[i].key, value, list[i].good ? "   good: " : "",
+               list[i].good ? list[i].good : "");
+    }
+}
+
+static int compare(weft_context* context, const weft_image images[2], const weft_compare_options* options, int as_json)
+{
+    weft_comparison comparison = WEFT_COMPARISON_INIT;
+    progress_span whole = {0, 1};
+    weft_status status = weft_compare(context, &images[0], &images[1], options, progress_step, &whole, &comparison);
+    progress_clear();
+    if (status != WEFT_OK) return failed_weft(status);
+    if (as_json)
+        write_json(&comparison);
+    else
+        write_text(&comparison);
+    return EXIT_FINE;
+}
+
+int command_compare(int count, char** words)
+{
+    weft_compare_options options = WEFT_COMPARE_OPTIONS_INIT;
+    const option table[] = {
+        {"--seed", OPTION_SEED, &options.seed, "N", "of directions, windows and null textures", 0, 0}};
+    const command_line line = {
+        "compare", "EXEMPLAR OUTPUT", "Measures how close an output is to its exemplar.", notes, table, 1, 2, 2};
+    arguments common;
+    weft_context* context = NULL;
+    weft_image images[2] = {{NULL, 0, 0, 0, 0, 0}, {NULL, 0, 0, 0, 0, 0}};
+    int code = parse_arguments(&line, count, words, &common);
+    if (code >= 0) return code;
+    progress_begin(common.quiet);
+    code = open_context(&common, &context);
+    if (code == EXIT_FINE) code = open_photos(&common.operand[0], 1, &images[0]);
+    if (code == EXIT_FINE) code = open_photos(&common.operand[1], 1, &images[1]);
+    if (code == EXIT_FINE) code = compare(context, images, &options, common.json);
+    weft_context_free(context);
+    free(images[0].data);
+    free(images[1].data);
+    return code;
+}
