@@ -1,0 +1,111 @@
+/// The kernels of one instruction set, as a table, and what they are handed. Plain data: this header is also seen by
+/// code that is compiled for instructions which the running CPU may lack.
+#pragma once
+#include <stddef.h>
+#include <stdint.h>
+#include <weft/backend.h>
+
+namespace weft {
+
+/// One level of textons, laid out for a table's kernels. Texels within `data` but outside width x height are zero.
+struct Texels {
+    const float* data;            ///< texel (0, 0) of the first plane of the first image
+    int64_t row, plane, image;    ///< floats from one to the next
+    int32_t width, height, x, y;  ///< (x, y): index of the first texel
+};
+
+/// A SPLAT layer, ready to be evaluated.
+struct Splat {
+    uint64_t key;                 ///< of its cells
+    uint32_t period[2];
+    uint32_t cell_log2, count_limit, signs, taps, planes, levels;
+    const uint32_t* counts;
+    const float* offset;
+    const Texels* texels;         ///< levels
+    uint32_t (*choose)(const void* choice, int64_t x, int64_t y); ///< image of an impact at a pixel; null: image 0
+    const void* choice;
+};
+
+/// An impact, seen from pixel (0, 0) of a block: the texel under it is `column`, `row`, counted from the level's first.
+/// That texel is data[origin]; the weights are for two taps.
+struct Impact {
+    int64_t origin;
+    int32_t column, row;
+    float w0, w1, rho;
+    uint32_t zero;
+};
+
+/// Weights of an impact for 1, 4 or 6 taps; the sign is in x.
+struct Spline {
+    float x[6], y[6];
+};
+
+/// The impacts that reach a block, in canonical order. `splines` is filled unless there are two taps.
+struct Impacts {
+    Impact* impacts;
+    Spline* splines;
+    uint32_t count, capacity;
+    bool (*grow)(Impacts& impacts); ///< doubles the capacity; false: no memory
+};
+
+/// A rectangle of a window's pixels, of level `level`.
+struct Block {
+    int64_t x, y;
+    uint32_t width, height, level;
+};
+
+/// Rows first..first + count - 1 of a block of f, one plane after another.
+struct Strip {
+    float* data;
+    uint32_t width, first, count;
+    uint32_t stride; ///< of rows; planes are stride * count apart
+    void* scratch;   ///< Rows::scratch bytes, 64-byte aligned
+};
+
+/// Columns begin..end - 1 read the texels `first` on, in steps of one; scattered ones read where the pairs say.
+struct Run {
+    uint32_t begin, end;
+    int32_t first;
+    uint32_t scattered;
+};
+
+/// Which texels of a row the columns of a block read, and the weight of the second.
+struct Columns {
+    const int32_t* first;
+    const int32_t* second;
+    const float* t;
+    const Run* runs;
+    uint32_t run_count;
+};
+
+/// One result channel of a layer: out = mask * (sum of colour * f + mean) + out.
+struct Mixture {
+    const float* f;      ///< channel c at f + c * plane
+    uint32_t plane, channels, width;
+    const float* colour;
+    float mean;
+    const float* mask;   ///< null: 1
+};
+
+struct Rows {
+    uint32_t apron;      ///< zeros that kernels want right of every row of texels and left of the first; 0: none, no copy
+    uint32_t apron_rows; ///< ... above and below every image
+    uint32_t interleaved; ///< 1: points want texels of four planes side by side
+
+    /// Bytes of scratch that splat_strip needs for that many impacts.
+    size_t (*scratch)(uint32_t impacts, uint32_t width, uint32_t taps);
+    /// Finds all impacts that reach a block; false: no memory.
+    bool (*find_impacts)(const Splat& splat, const Block& block, Impacts& found);
+    void (*splat_strip)(const Splat& splat, uint32_t level, const Impacts& found, const Strip& strip);
+    /// f of all planes at a spot, at a whole level below splat.levels.
+    void (*splat_point)(const Splat& splat, uint32_t level, const weft_spot& spot, float* f);
+
+    void (*expand)(const float* texels, const Columns& columns, float* row);
+    /// row = t (b - a) + a, also where t is 0.
+    void (*lerp)(const float* a, const float* b, float t, uint32_t width, float* row);
+    void (*tone)(const weft_tone& tone, uint32_t width, float* row);
+    void (*multiply)(const float* a, const float* b, uint32_t width, float* row);
+    void (*mix)(const Mixture& mixture, float* out);
+};
+
+} // namespace weft
