@@ -1,0 +1,97 @@
+/// Drawing a window's impacts once, in canonical order, and dealing them to the bands that they reach.
+#include "opencl/impacts.h"
+#include "opencl/walk.h"
+#include <algorithm>
+
+namespace weft::opencl {
+
+namespace {
+
+constexpr weft_i32 rows = WEFT_BLOCK_ROWS, columns = WEFT_BLOCK_COLUMNS;
+
+/// The bands, first to last, of which some row lies between two texel rows, at least one of them of the texton.
+struct Reached {
+    weft_i32 first, last;
+};
+
+Reached reached(weft_i32 row, weft_i32 texton_height, weft_i32 band_count)
+{
+    return {row < 0 ? (-1 - row) / rows : 0, std::min(band_count - 1, (texton_height - 1 - row) / rows)};
+}
+
+} // namespace
+
+/// One cell of the walk, and what its impacts are measured against.
+struct Impacts::Cells {
+    const LayerLayout& layer;
+    const LevelLayout& level;
+    const weft_u32* counts;
+    const weft_window& window;
+    Walk x, y;
+    weft_u64 key;
+};
+
+void Impacts::collect(const LayerLayout& layer, const LevelLayout& level, const weft_u32* counts, const weft_window& window)
+{
+    const weft_i64 unit = weft_i64{1} << window.level;
+    const weft_i64 x = window.x * unit + unit / 2, y = window.y * unit + unit / 2;
+    // One column more: the second accumulator of the last pixel is that of its right neighbour.
+    const weft_i64 end_x = level.after_x + window.width * unit, end_y = level.after_y + (window.height - 1) * unit;
+    Cells cells{layer, level, counts, window, {}, {}, 0};
+    reaching_.clear();
+    for (cells.x = walk_from(x, level.before_x, layer.period_x, layer.cell_log2); cells.x.start <= end_x;
+         cells.x = walk_on(cells.x, layer.period_x, layer.cell_log2)) {
+        const weft_u64 column_key = weft_absorb(layer.key, static_cast<weft_u64>(cells.x.cell));
+        for (cells.y = walk_from(y, level.before_y, layer.period_y, layer.cell_log2); cells.y.start <= end_y;
+             cells.y = walk_on(cells.y, layer.period_y, layer.cell_log2)) {
+            cells.key = weft_absorb(column_key, static_cast<weft_u64>(cells.y.cell));
+            draw(cells);
+        }
+    }
+    deal(level, window.height);
+}
+
+void Impacts::draw(const Cells& cells)
+{
+    const weft_window& window = cells.window;
+    const weft_i32 centre = window.level == 0 ? WEFT_FRACTION_HALF : 0;
+    const weft_u32 probability = weft_high(weft_draw(cells.key, 0));
+    for (weft_u32 i = 0; i < cells.layer.count_limit && cells.counts[i] <= probability; ++i) {
+        const weft_u64 z = weft_draw(cells.key, i + 1);
+        const weft_impact_axis x = weft_impact_at(weft_low(z), cells.layer.cell_log2);
+        const weft_impact_axis y = weft_impact_at(weft_high(z), cells.layer.cell_log2);
+        if (x.pixel >= cells.x.size || y.pixel >= cells.y.size) continue;
+        const weft_taps tx = weft_taps_at(weft_distance(-weft_i64{cells.x.start + x.pixel}, centre, x.fraction, window.level), 2);
+        const weft_taps ty = weft_taps_at(weft_distance(-weft_i64{cells.y.start + y.pixel}, centre, y.fraction, window.level), 2);
+        const auto column = static_cast<weft_i32>(tx.first - cells.level.x), row = static_cast<weft_i32>(ty.first - cells.level.y);
+        const auto width = static_cast<weft_i32>(window.width), height = static_cast<weft_i32>(window.height);
+        if (column >= static_cast<weft_i32>(cells.level.width) || column + width < -1) continue;
+        if (row >= static_cast<weft_i32>(cells.level.height) || row + height < 0) continue;
+        const weft_weights2 w = weft_linear(tx.t, ty.t, weft_impact_sign(z, cells.layer.signs));
+        reaching_.push_back({column, row, w.w0, w.w1, w.rho});
+    }
+}
+
+void Impacts::deal(const LevelLayout& level, std::uint32_t height)
+{
+    const auto band_count = static_cast<weft_i32>((height + rows - 1) / rows);
+    const auto texton_height = static_cast<weft_i32>(level.height), stride = static_cast<weft_i32>(level.stride);
+    bands_.assign(static_cast<std::size_t>(band_count) + 2, 0);
+    for (const ImpactLayout& impact : reaching_) {
+        const Reached to = reached(impact.row, texton_height, band_count);
+        for (weft_i32 band = to.first; band <= to.last; ++band) ++bands_[static_cast<std::size_t>(band) + 2];
+    }
+    for (std::size_t i = 2; i < bands_.size(); ++i) bands_[i] += bands_[i - 1];
+    list_.resize(bands_.back());
+    // bands_[b + 1] walks from the beginning of band b to its end, which is the beginning of the next.
+    for (const ImpactLayout& impact : reaching_) {
+        const Reached to = reached(impact.row, texton_height, band_count);
+        for (weft_i32 band = to.first; band <= to.last; ++band) {
+            ImpactLayout& entry = list_[bands_[static_cast<std::size_t>(band) + 1]++];
+            entry = impact;
+            entry.row = (impact.row + (band + 1) * rows) * stride + columns;
+        }
+    }
+}
+
+} // namespace weft::opencl

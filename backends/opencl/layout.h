@@ -1,0 +1,96 @@
+/* What the host hands to the kernels, in the common subset of C++17 and OpenCL C 1.2: structs of naturally aligned words. */
+#ifndef WEFT_OPENCL_LAYOUT_H
+#define WEFT_OPENCL_LAYOUT_H
+
+#include "common/field.h"
+
+#define WEFT_NONE 0xffffffffu
+
+/* A block of splat_bands: as many columns as a vector holds, and as many rows as leave 12 of 16 registers to the sums. */
+#define WEFT_BLOCK_COLUMNS 8
+#define WEFT_BLOCK_ROWS 6
+
+#define WEFT_SAMPLES 16 /* that one work-item of layer_sum finishes: a window's stride is a multiple of it */
+
+/* How a layer's plane is computed. */
+#define WEFT_SPLAT_GATHER 1 /* sample by sample */
+#define WEFT_SPLAT_BANDS 2  /* windows only: block by block, from lists of impacts that the host made */
+#define WEFT_TILE_GATHER 3
+
+/* One level of a mip chain. Gathered texels are float4: (image, group of four planes, row, column), framed by taps - 1
+ * zeros if splatted; those of splat_bands are float: (plane, row, column), framed by a block's size of zeros. */
+typedef struct LevelLayout {
+    weft_u32 offset;      /* of the first texel in the texels' buffer, in units of 4 floats */
+    weft_u32 stride;      /* texels from one row to the next */
+    weft_u32 plane_step;  /* from one group (bands: plane) to the next */
+    weft_u32 image_step;
+    weft_u32 width, height; /* without the frame */
+    weft_i32 x, y;        /* SPLAT: index of the first texel without the frame */
+    weft_i32 before_x, after_x, before_y, after_y; /* SPLAT: impacts this many pixels before or after a sample reach it */
+    float scale_x, scale_y; /* TILE */
+} LevelLayout;
+
+/* One axis of a TILE. */
+typedef struct GridLayout {
+    weft_u32 span, cells, size;
+    float inverse, step;
+} GridLayout;
+
+typedef struct LayerLayout {
+    weft_u64 key;      /* SPLAT: weft_key(seed, stream, WEFT_TAG_IMPACTS) */
+    weft_u32 form;     /* WEFT_SPLAT_GATHER, ... */
+    weft_u32 planes, channels;
+    weft_u32 colours;  /* channels of the program */
+    weft_u32 first_level, levels;
+    weft_u32 period_x, period_y;
+    weft_u32 taps, cell_log2, count_limit, signs, images;
+    weft_u32 counts;   /* where in words */
+    weft_u32 offset;   /* where in numbers, four by four */
+    weft_u32 choice_layer, choice_plane; /* layer WEFT_NONE: none */
+    GridLayout grid_x, grid_y;
+    float level;       /* TILE: added */
+    weft_u32 mask_layer, mask_plane; /* layer WEFT_NONE: none */
+    weft_u32 mask_slot;   /* plane of the field where later layers find this layer's mask; WEFT_NONE: nobody asks */
+    weft_u32 plane_slot;  /* first plane of the field that is this layer's */
+    weft_u32 kept;        /* 1: later layers ask for its planes */
+    weft_u32 tones;       /* where in words: pieces' count and where in numbers, per channel; WEFT_NONE: none */
+    weft_u32 colour, mean; /* where in numbers */
+    weft_u32 zero;
+} LayerLayout;
+
+/* An impact as a band sees it. */
+typedef struct ImpactLayout {
+    weft_i32 column; /* texel under the window's first pixel */
+    weft_i32 row;    /* start of the framed row of texels under the band's first row */
+    float w0, w1, rho;
+} ImpactLayout;
+
+/* Where samples are: spots, or the pixels of a window. */
+typedef struct SamplesLayout {
+    weft_i64 x, y;
+    weft_u32 level;
+    weft_u32 spots;  /* 1: of the buffer of spots */
+    weft_u32 width;  /* samples of a row, of which there are height */
+    weft_u32 height;
+    weft_u32 stride; /* of the field, a multiple of WEFT_SAMPLES */
+    weft_u32 pitch;  /* of the field: from one plane to the next */
+} SamplesLayout;
+
+/* weft_spot. */
+typedef struct SpotLayout {
+    weft_i64 cell[3];
+    weft_u32 fraction[3];
+    float level;
+} SpotLayout;
+
+/* The sums that splat_bands leaves: (plane, accumulator, row, column). */
+typedef struct SumsLayout {
+    weft_u32 stride;
+    weft_u32 step;    /* from one accumulator to the next */
+    weft_u32 blocks;  /* of a row */
+    weft_u32 segment; /* blocks of one work-item */
+    weft_u32 level;
+    weft_i32 jitter;  /* by how many columns the order of impacts may deviate from that of their columns */
+} SumsLayout;
+
+#endif

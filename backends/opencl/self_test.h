@@ -1,0 +1,10 @@
+/// Does a device give the bits that "scalar" gives?
+#pragma once
+#include "opencl/device.h"
+
+namespace weft::opencl {
+
+/// Largest difference between the fixed program on this device and its stored values; 0 only if all bits agree.
+float largest_difference(const Device& device);
+
+} // namespace weft::opencl

@@ -1,0 +1,87 @@
+/// The small fixed program of the self-test, and where it is looked at. Every kernel has a part in it.
+#pragma once
+#include "common/field.h"
+#include <weft/backend.h>
+#include <cstddef>
+#include <cstdint>
+
+namespace weft::opencl {
+
+/// Programs point into themselves: built in place, never copied.
+class SelfTestProgram {
+public:
+    static constexpr std::uint32_t channels = 2, width = 20, height = 7, stride = 32, windows = 3, spot_count = 24;
+    static constexpr std::size_t value_count = std::size_t{channels} * (windows * width * height + spot_count);
+
+    explicit SelfTestProgram(weft_use use);
+    SelfTestProgram(const SelfTestProgram&) = delete;
+
+    weft_program program = {};
+
+    /// Calls render(window) and copies the pixels, then the same for the other windows; `values` moves on.
+    template <class Render> static void look(Render render, float*& values)
+    {
+        alignas(64) static constexpr std::int64_t corners[windows][3] = {
+            {-5, -3, 0}, {(std::int64_t{1} << 40) - 7, -(std::int64_t{1} << 40) + 29, 0}, {-11, 8, 1}};
+        for (const auto& corner : corners) {
+            alignas(64) float pixels[channels * height * stride];
+            weft_window window = {};
+            window.size = sizeof window;
+            window.width = width;
+            window.height = height;
+            window.stride = stride;
+            window.x = corner[0];
+            window.y = corner[1];
+            window.level = static_cast<std::uint32_t>(corner[2]);
+            window.data = pixels;
+            render(window);
+            for (std::uint32_t row = 0; row < channels * height; ++row)
+                for (std::uint32_t x = 0; x < width; ++x) *values++ = pixels[row * stride + x];
+        }
+    }
+
+    /// Calls sample(batch), whose results are written where `values` points.
+    template <class Sample> static void look_at_spots(Sample sample, float*& values)
+    {
+        weft_spot spots[spot_count] = {};
+        for (std::uint32_t i = 0; i < spot_count; ++i) {
+            const weft_u64 z = weft_mix(i + 1);
+            spots[i].cell[0] = static_cast<std::int64_t>(z & 0xff) - 128;
+            spots[i].cell[1] = (i & 1 ? 1 : -1) * (static_cast<std::int64_t>(z >> 8 & 0xff) + (std::int64_t{1} << 40));
+            spots[i].fraction[0] = static_cast<std::uint32_t>(z >> 40);
+            spots[i].fraction[1] = static_cast<std::uint32_t>(z >> 16 & WEFT_FRACTION_MASK);
+            spots[i].level = static_cast<float>(i % 5) * 0.375f;
+        }
+        weft_batch batch = {};
+        batch.size = sizeof batch;
+        batch.count = spot_count;
+        batch.spots = spots;
+        batch.out = values;
+        sample(batch);
+        values += spot_count * channels;
+    }
+
+private:
+    struct Pictures {
+        weft_mip levels[2];
+        weft_mips mips;
+    };
+    void fill(Pictures& pictures, std::uint32_t planes, std::uint32_t images, std::uint32_t size_x, std::uint32_t size_y);
+    weft_splat splat(const Pictures& textons, std::uint32_t taps) const;
+    weft_layer layer(weft_layer_kind kind, std::uint32_t planes, std::int32_t mask_layer) const;
+
+    static constexpr std::uint32_t thresholds[4] = {0x20000000, 0x60000000, 0xa0000000, 0xe8000000};
+    static constexpr float zeros[2] = {0.0f, 0.0f}, means[2] = {0.4375f, -0.3f}, colours[4] = {0.9f, -0.2f, 0.35f, 1.1f};
+    static constexpr weft_piece pieces[2] = {{-1.0f, -0.8f, 0.7f, 0.1f, -0.2f}, {0.1f, 0.05f, 1.1f, -0.3f, 0.05f}};
+    static constexpr weft_tone tones[2] = {{-1.0f, 1.5f, 2, 0, pieces}, {-0.5f, 0.7f, 1, 0, pieces}};
+
+    float data_[2048];
+    std::size_t used_ = 0;
+    Pictures source_, two_, four_;
+    weft_tile tile_ = {};
+    weft_splat splats_[2];
+    weft_layer layers_[3];
+    const weft_layer* order_[3];
+};
+
+} // namespace weft::opencl

@@ -1,0 +1,204 @@
+/// Program -> tables: which kernel computes a layer, where its numbers are, how its texels are framed.
+#include "opencl/tables.h"
+#include "opencl/host.h"
+#include <algorithm>
+
+namespace weft::opencl {
+
+namespace {
+
+bool known(const weft_layer& layer)
+{
+    if (layer.kind == WEFT_LAYER_SPLAT) {
+        const std::uint32_t taps = layer.splat->taps;
+        return taps == 1 || taps == 2 || taps == 4 || taps == 6;
+    }
+    return layer.kind == WEFT_LAYER_TILE && layer.tile->address == WEFT_ADDRESS_CELLS && !layer.tile->exchange &&
+           layer.tile->displacement.layer < 0;
+}
+
+bool known(const weft_program& program)
+{
+    if (program.use != WEFT_USE_WINDOW && program.use != WEFT_USE_POINTS) return false;
+    return std::all_of(program.layers, program.layers + program.layer_count, [](const weft_layer* layer) { return known(*layer); });
+}
+
+weft_u32 layer_of(weft_ref ref) { return ref.layer < 0 ? WEFT_NONE : static_cast<weft_u32>(ref.layer); }
+
+std::uint32_t groups(std::uint32_t planes) { return (planes + 3) / 4; }
+
+/// How far impacts reach, in pixels before and after a sample; `first` and `size` are the texels of a level.
+void set_reach(std::uint32_t taps, std::uint32_t whole, std::int64_t first, std::int64_t size, weft_i32& before, weft_i32& after)
+{
+    const std::int64_t half = taps == 1 ? 1 : taps / 2, unit = std::int64_t{1} << whole;
+    before = static_cast<weft_i32>(std::max<std::int64_t>((first + size + half) * unit + 1, 0));
+    after = static_cast<weft_i32>((half - first) * unit + 1);
+}
+
+} // namespace
+
+Tables::Tables(const Device& device, const weft_program& from, std::pmr::memory_resource* memory)
+    : program(from), layers(memory), levels(memory), words(memory), numbers(memory)
+{
+    if (!known(program)) throw Failure(WEFT_ERROR_UNSUPPORTED, "opencl: the program has a layer or a use that this backend does not know");
+    for (std::uint32_t i = 0; i < program.layer_count; ++i)
+        add_layer(*program.layers[i], device.cpu && program.use == WEFT_USE_WINDOW);
+    if (texel_count > device.largest_buffer / 16 || texel_count > UINT32_MAX)
+        throw Failure(WEFT_ERROR_UNSUPPORTED, "opencl: the program's textons and tiles need ", texel_count * 16,
+                      " bytes, the device's largest buffer has ", device.largest_buffer);
+    assign_slots();
+    words.resize(words.size() + 1); // never empty: a buffer of no bytes cannot be made
+}
+
+void Tables::add_layer(const weft_layer& layer, bool bands)
+{
+    LayerLayout to = {};
+    to.planes = layer.planes;
+    to.channels = layer.channels;
+    to.period_x = program.period[0];
+    to.period_y = program.period[1];
+    to.mask_layer = layer_of(layer.mask);
+    to.mask_plane = layer.mask.plane;
+    to.choice_layer = to.mask_slot = to.tones = WEFT_NONE;
+    if (layer.kind == WEFT_LAYER_SPLAT) {
+        to.key = weft_key(program.seed, layer.stream, WEFT_TAG_IMPACTS);
+        to.form = bands && layer.splat->taps == 2 && layer.splat->choice.layer < 0 ? WEFT_SPLAT_BANDS : WEFT_SPLAT_GATHER;
+        add_splat(*layer.splat, to);
+    } else {
+        to.form = WEFT_TILE_GATHER;
+        add_tile(*layer.tile, to);
+    }
+    add_sum(layer, to);
+    layers.push_back(to);
+}
+
+void Tables::add_splat(const weft_splat& splat, LayerLayout& to)
+{
+    to.taps = splat.taps;
+    to.cell_log2 = splat.cell_log2;
+    to.count_limit = splat.count_limit;
+    to.signs = splat.signs;
+    to.images = splat.textons->images;
+    to.choice_layer = layer_of(splat.choice);
+    to.choice_plane = splat.choice.plane;
+    to.counts = static_cast<weft_u32>(words.size());
+    words.insert(words.end(), splat.counts, splat.counts + splat.count_limit);
+    to.offset = static_cast<weft_u32>(numbers.size());
+    numbers.insert(numbers.end(), splat.offset, splat.offset + to.planes);
+    numbers.resize(to.offset + groups(to.planes) * 4);
+    add_levels(*splat.textons, to);
+}
+
+void Tables::add_tile(const weft_tile& tile, LayerLayout& to)
+{
+    to.level = tile.level;
+    to.images = 1;
+    to.grid_x = {tile.x.span, tile.x.cells, tile.width, tile.x.inverse, tile.x.step};
+    to.grid_y = {tile.y.span, tile.y.cells, tile.height, tile.y.inverse, tile.y.step};
+    add_levels(*tile.source, to);
+}
+
+void Tables::add_levels(const weft_mips& mips, LayerLayout& to)
+{
+    const bool bands = to.form == WEFT_SPLAT_BANDS;
+    const std::uint32_t frame = to.form == WEFT_SPLAT_GATHER ? to.taps - 1 : 0;
+    const std::uint32_t frame_x = bands ? WEFT_BLOCK_COLUMNS : frame, frame_y = bands ? WEFT_BLOCK_ROWS : frame;
+    to.first_level = static_cast<weft_u32>(levels.size());
+    to.levels = mips.levels;
+    for (std::uint32_t i = 0; i < mips.levels; ++i) {
+        const weft_mip& mip = mips.level[i];
+        LevelLayout level = {};
+        level.offset = static_cast<weft_u32>(texel_count);
+        level.width = mip.width;
+        level.height = mip.height;
+        level.x = mip.x;
+        level.y = mip.y;
+        level.scale_x = mip.scale_x;
+        level.scale_y = mip.scale_y;
+        level.stride = mip.width + 2 * frame_x;
+        level.plane_step = level.stride * (mip.height + 2 * frame_y);
+        if (bands) {
+            texel_count += (std::uint64_t{to.planes} * level.plane_step + 3) / 4;
+        } else {
+            level.image_step = level.plane_step * groups(to.planes);
+            texel_count += std::uint64_t{level.plane_step} * groups(to.planes) * mips.images;
+        }
+        if (to.form != WEFT_TILE_GATHER) {
+            set_reach(to.taps, i, mip.x, mip.width, level.before_x, level.after_x);
+            set_reach(to.taps, i, mip.y, mip.height, level.before_y, level.after_y);
+        }
+        levels.push_back(level);
+    }
+}
+
+void Tables::add_sum(const weft_layer& layer, LayerLayout& to)
+{
+    to.colours = program.channels;
+    to.mean = static_cast<weft_u32>(numbers.size());
+    numbers.insert(numbers.end(), layer.mean, layer.mean + program.channels);
+    to.colour = static_cast<weft_u32>(numbers.size());
+    if (layer.channels != 0) numbers.insert(numbers.end(), layer.colour, layer.colour + program.channels * layer.channels);
+    if (!layer.tones) return;
+    to.tones = static_cast<weft_u32>(words.size());
+    for (std::uint32_t c = 0; c < layer.channels; ++c) {
+        const weft_tone& tone = layer.tones[c];
+        words.push_back(tone.count);
+        words.push_back(static_cast<weft_u32>(numbers.size()));
+        numbers.push_back(tone.low);
+        numbers.push_back(tone.high);
+        for (const weft_piece* p = tone.pieces; p != tone.pieces + tone.count; ++p)
+            numbers.insert(numbers.end(), {p->x, p->c0, p->c1, p->c2, p->c3});
+    }
+}
+
+/// Layers that are referred to keep their planes; all others share the planes behind them.
+void Tables::assign_slots()
+{
+    for (const LayerLayout& layer : layers)
+        if (layer.mask_layer != WEFT_NONE) {
+            LayerLayout& owner = layers[layer.mask_layer];
+            owner.kept = 1;
+            if (owner.mask_layer != WEFT_NONE) owner.mask_slot = 0;
+        }
+    for (LayerLayout& layer : layers) {
+        if (layer.mask_slot != WEFT_NONE) layer.mask_slot = slots++;
+        if (!layer.kept) continue;
+        layer.plane_slot = slots;
+        slots += layer.planes;
+    }
+    std::uint32_t shared = 0;
+    for (LayerLayout& layer : layers) {
+        if (layer.form == WEFT_SPLAT_BANDS) sums = std::max(sums, layer.planes);
+        if (layer.kept) continue;
+        layer.plane_slot = slots;
+        if (layer.form != WEFT_SPLAT_BANDS) shared = std::max(shared, layer.planes);
+    }
+    slots += shared;
+}
+
+void Tables::fill_texels(float* texels) const
+{
+    for (std::uint32_t i = 0; i < program.layer_count; ++i) {
+        const weft_layer& layer = *program.layers[i];
+        const LayerLayout& to = layers[i];
+        const weft_mips& mips = layer.kind == WEFT_LAYER_SPLAT ? *layer.splat->textons : *layer.tile->source;
+        const std::uint32_t lanes = to.form == WEFT_SPLAT_BANDS ? 1 : 4;
+        const std::uint32_t images = to.form == WEFT_SPLAT_BANDS ? 1 : mips.images;
+        for (std::uint32_t l = 0; l < mips.levels; ++l) {
+            const LevelLayout& level = levels[to.first_level + l];
+            const std::size_t frame_x = (level.stride - level.width) / 2;
+            const std::size_t frame_y = (level.plane_step / level.stride - level.height) / 2;
+            const float* from = mips.level[l].data;
+            for (std::uint32_t plane = 0; plane < images * to.planes; ++plane) {
+                const std::uint32_t image = plane / to.planes, p = plane % to.planes;
+                const std::size_t start = std::size_t{level.image_step} * image + std::size_t{level.plane_step} * (p / lanes) +
+                                          frame_y * level.stride + frame_x;
+                float* row = texels + std::size_t{level.offset} * 4 + start * lanes + p % lanes;
+                for (std::uint32_t y = 0; y < level.height; ++y, row += std::size_t{level.stride} * lanes)
+                    for (std::uint32_t x = 0; x < level.width; ++x) row[std::size_t{x} * lanes] = *from++;
+            }
+        }
+    }
+}
+
+} // namespace weft::opencl

@@ -1,0 +1,204 @@
+/// Evaluating a program: layer by layer, first its planes, then its share of the result.
+#include "opencl/texture.h"
+#include <algorithm>
+
+namespace weft::opencl {
+
+namespace {
+
+constexpr std::size_t group_size = 64;           // of the gathering kernels
+constexpr std::uint32_t most_spots = 65536;      // of one step
+constexpr std::uint64_t most_floats = 1u << 26;  // of a workspace's field, sums and result together
+constexpr std::uint64_t most_cells = 1u << 20;   // from which one list of impacts is drawn
+
+template <class Number> Number round_up(Number n, Number to) { return (n + to - 1) / to * to; }
+
+weft_u32 padded_stride(weft_u32 width) { return round_up(width, weft_u32{WEFT_SAMPLES}); }
+
+} // namespace
+
+/// A workspace for the time of a call.
+class Texture::Lease {
+public:
+    explicit Lease(Texture& texture) : texture_(texture)
+    {
+        std::unique_lock lock(texture.mutex_);
+        texture.returned_.wait(lock, [&] {
+            index_ = 0;
+            while (index_ < concurrency && texture.taken_[index_]) ++index_;
+            return index_ < concurrency;
+        });
+        texture.taken_[index_] = true;
+    }
+    Lease(const Lease&) = delete;
+    ~Lease()
+    {
+        {
+            const std::lock_guard lock(texture_.mutex_);
+            texture_.taken_[index_] = false;
+        }
+        texture_.returned_.notify_one();
+    }
+    Workspace& operator*() const noexcept { return *texture_.workspaces_[index_]; }
+
+private:
+    Texture& texture_;
+    std::uint32_t index_ = 0;
+};
+
+Texture::Texture(const Device& device, const weft_program& program, std::pmr::memory_resource* memory)
+    : device_(device), tables_(device, program, memory)
+{
+    for (auto& work : workspaces_) work.emplace(device, memory);
+    layers_ = upload(tables_.layers.data(), tables_.layers.size() * sizeof(LayerLayout));
+    levels_ = upload(tables_.levels.data(), tables_.levels.size() * sizeof(LevelLayout));
+    words_ = upload(tables_.words.data(), tables_.words.size() * sizeof(weft_u32));
+    numbers_ = upload(tables_.numbers.data(), tables_.numbers.size() * sizeof(float));
+    std::pmr::vector<float> texels(tables_.texel_count * 4, memory);
+    tables_.fill_texels(texels.data());
+    texels_ = upload(texels.data(), texels.size() * sizeof(float));
+}
+
+Buffer Texture::upload(const void* data, std::size_t bytes)
+{
+    cl_int code = CL_SUCCESS;
+    Buffer buffer(clCreateBuffer(device_.context, CL_MEM_READ_ONLY, bytes, nullptr, &code));
+    check(code, "clCreateBuffer");
+    check(clEnqueueWriteBuffer(workspaces_[0]->queue.get(), buffer.get(), CL_TRUE, 0, bytes, data, 0, nullptr, nullptr),
+          "clEnqueueWriteBuffer");
+    return buffer;
+}
+
+/// Would a window need too much memory for its planes, or for its list of impacts?
+bool Texture::too_large(const weft_window& window) const
+{
+    const std::uint64_t planes = tables_.slots + 2 * tables_.sums + tables_.program.channels;
+    if (std::uint64_t{padded_stride(window.width)} * window.height * planes > most_floats) return true;
+    for (const LayerLayout& layer : tables_.layers) {
+        if (layer.form != WEFT_SPLAT_BANDS || window.level >= layer.levels) continue;
+        const LevelLayout& level = tables_.levels[layer.first_level + window.level];
+        const auto reach_x = static_cast<std::uint64_t>(level.before_x + level.after_x) + (std::uint64_t{window.width} << window.level);
+        const auto reach_y = static_cast<std::uint64_t>(level.before_y + level.after_y) + (std::uint64_t{window.height} << window.level);
+        if ((reach_x >> layer.cell_log2) * (reach_y >> layer.cell_log2) > most_cells) return true;
+    }
+    return false;
+}
+
+void Texture::render(const weft_window& window)
+{
+    Lease work(*this);
+    const std::size_t plane = std::size_t{window.stride} * window.height;
+    weft_u32 step_x = window.width, step_y = window.height;
+    weft_window part = window;
+    while (part.width = step_x, part.height = step_y, too_large(part)) {
+        if (step_y > 2 * WEFT_BLOCK_ROWS && step_y >= step_x / 4) step_y = round_up(step_y / 2, weft_u32{WEFT_BLOCK_ROWS});
+        else if (step_x > 4 * WEFT_SAMPLES) step_x = padded_stride(step_x / 2);
+        else break;
+    }
+    for (weft_u32 y = 0; y < window.height; y += step_y) {
+        for (weft_u32 x = 0; x < window.width; x += step_x) {
+            part.x = window.x + x;
+            part.y = window.y + y;
+            part.width = std::min(step_x, window.width - x);
+            part.height = std::min(step_y, window.height - y);
+            part.data = window.data + std::size_t{y} * window.stride + x;
+            render_part(*work, part, plane);
+        }
+    }
+}
+
+void Texture::render_part(Workspace& work, const weft_window& part, std::size_t plane)
+{
+    const weft_u32 stride = padded_stride(part.width);
+    const SamplesLayout samples = {part.x, part.y, part.level, 0, part.width, part.height, stride, stride * part.height};
+    const weft_u32 channels = tables_.program.channels;
+    const cl_mem out = work.out.get(device_.context, std::size_t{samples.pitch} * channels * sizeof(float));
+    evaluate(work, samples, &part, out, 1, samples.pitch);
+    const std::size_t zero[3] = {0, 0, 0};
+    const std::size_t region[3] = {part.width * sizeof(float), part.height, channels};
+    check(clEnqueueReadBufferRect(work.queue.get(), out, CL_TRUE, zero, zero, region, stride * sizeof(float),
+                                  samples.pitch * sizeof(float), part.stride * sizeof(float), plane * sizeof(float), part.data, 0,
+                                  nullptr, nullptr),
+          "clEnqueueReadBufferRect");
+}
+
+void Texture::sample(const weft_batch& batch)
+{
+    Lease work(*this);
+    for (std::uint32_t first = 0; first < batch.count; first += most_spots)
+        sample_part(*work, batch.spots + first, std::min(most_spots, batch.count - first),
+                    batch.out + std::size_t{first} * tables_.program.channels);
+}
+
+void Texture::sample_part(Workspace& work, const weft_spot* spots, std::uint32_t count, float* out)
+{
+    static_assert(sizeof(weft_spot) == sizeof(SpotLayout));
+    const weft_u32 stride = padded_stride(count), channels = tables_.program.channels;
+    const SamplesLayout samples = {0, 0, 0, 1, count, 1, stride, stride};
+    const cl_mem buffer = work.spots.get(device_.context, count * sizeof *spots);
+    check(clEnqueueWriteBuffer(work.queue.get(), buffer, CL_FALSE, 0, count * sizeof *spots, spots, 0, nullptr, nullptr),
+          "clEnqueueWriteBuffer");
+    const cl_mem result = work.out.get(device_.context, std::size_t{stride} * channels * sizeof(float));
+    evaluate(work, samples, nullptr, result, channels, 1);
+    check(clEnqueueReadBuffer(work.queue.get(), result, CL_TRUE, 0, std::size_t{count} * channels * sizeof(float), out, 0, nullptr, nullptr),
+          "clEnqueueReadBuffer");
+}
+
+void Texture::evaluate(Workspace& work, const SamplesLayout& samples, const weft_window* window, cl_mem out, weft_u32 out_step,
+                       weft_u32 out_pitch)
+{
+    const cl_mem layers = layers_.get(), levels = levels_.get(), words = words_.get(), numbers = numbers_.get(), texels = texels_.get();
+    const cl_mem spots = work.spots.get(device_.context, sizeof(SpotLayout));
+    const std::size_t floats = std::max<std::size_t>(std::size_t{tables_.slots} * samples.pitch, 1);
+    const cl_mem field = work.field.get(device_.context, floats * sizeof(float));
+    for (weft_u32 i = 0; i < tables_.layers.size(); ++i) {
+        const LayerLayout& layer = tables_.layers[i];
+        const std::size_t global[3] = {round_up(std::size_t{samples.width}, group_size), samples.height, (layer.planes + 3) / 4};
+        SumsLayout blocks = {};
+        if (layer.form == WEFT_SPLAT_BANDS) {
+            blocks = splat_bands(work, i, *window);
+        } else if (layer.form == WEFT_SPLAT_GATHER) {
+            work.splat_gather.enqueue(work.queue.get(), global, group_size, layers, levels, texels, spots, field, samples, i, words, numbers);
+        } else {
+            work.tile_gather.enqueue(work.queue.get(), global, group_size, layers, levels, texels, spots, field, samples, i);
+        }
+        const cl_mem sums = work.sums.get(device_.context, sizeof(float));
+        work.layer_sum.enqueue(work.queue.get(), {samples.stride / WEFT_SAMPLES, samples.height, 1}, 1, layers, words, numbers, field,
+                               sums, out, samples, blocks, i, out_step, out_pitch);
+    }
+}
+
+SumsLayout Texture::splat_bands(Workspace& work, weft_u32 index, const weft_window& window)
+{
+    const LayerLayout& layer = tables_.layers[index];
+    SumsLayout blocks = {};
+    blocks.level = window.level;
+    if (window.level >= layer.levels) return blocks; // layer_sum takes f = 0
+    const LevelLayout& level = tables_.levels[layer.first_level + window.level];
+    work.lists.collect(layer, level, tables_.words.data() + layer.counts, window);
+    const auto& list = work.lists.list();
+    const auto& bands = work.lists.bands();
+    const auto band_count = static_cast<weft_u32>(bands.size() - 2);
+    const cl_mem impacts = work.impacts.get(device_.context, std::max<std::size_t>(list.size(), 1) * sizeof(ImpactLayout));
+    const cl_mem begins = work.bands.get(device_.context, bands.size() * sizeof(weft_u32));
+    if (!list.empty())
+        check(clEnqueueWriteBuffer(work.queue.get(), impacts, CL_FALSE, 0, list.size() * sizeof(ImpactLayout), list.data(), 0, nullptr,
+                                   nullptr),
+              "clEnqueueWriteBuffer");
+    // Blocking, and the queue is in order: after it the lists may be made anew, for the next layer.
+    check(clEnqueueWriteBuffer(work.queue.get(), begins, CL_TRUE, 0, bands.size() * sizeof(weft_u32), bands.data(), 0, nullptr, nullptr),
+          "clEnqueueWriteBuffer");
+    blocks.blocks = padded_stride(window.width) / WEFT_BLOCK_COLUMNS + 1;
+    blocks.stride = blocks.blocks * WEFT_BLOCK_COLUMNS;
+    blocks.segment = std::min(blocks.blocks, weft_u32{32});
+    blocks.step = blocks.stride * band_count * WEFT_BLOCK_ROWS;
+    blocks.jitter = static_cast<weft_i32>((1u << layer.cell_log2) >> window.level) + 2;
+    const cl_mem sums = work.sums.get(device_.context, std::size_t{tables_.sums} * 2 * blocks.step * sizeof(float));
+    const cl_mem layers = layers_.get(), levels = levels_.get(), texels = texels_.get();
+    const std::size_t segments = (blocks.blocks + blocks.segment - 1) / blocks.segment;
+    work.splat_bands.enqueue(work.queue.get(), {segments, band_count, layer.planes}, 1, layers, levels, texels, impacts, begins, sums,
+                             blocks, index);
+    return blocks;
+}
+
+} // namespace weft::opencl
