@@ -132,7 +132,7 @@ typedef int32_t weft_format;
 enum {
   WEFT_FORMAT_U8  = 1, /* 0..255   stands for 0..1 */
   WEFT_FORMAT_U16 = 2, /* 0..65535 stands for 0..1, native byte order */
-  WEFT_FORMAT_F32 = 3  /* taken as it is; must be finite */
+  WEFT_FORMAT_F32 = 3  /* taken as it is; must be finite and within 2^64 of 0 */
 };
 
 /* A view of the caller's pixels, channels interleaved. Frozen: this struct will never grow. More than 4 channels

@@ -51,6 +51,8 @@ template <class... Parts> void require(bool good, const Parts&... parts)
     if (!good) throw Error(WEFT_ERROR_ARGUMENT, parts...);
 }
 
+const char* status_name(weft_status status) noexcept; ///< "WEFT_OK", ...
+
 /// This thread's last sentence, for weft_error_message.
 const char* last_message() noexcept;
 weft_status set_last_message(weft_status status, const char* sentence) noexcept; ///< returns `status`

@@ -1,9 +1,9 @@
 /// Checks of the caller's views, and reading them.
 #include "base/image.h"
 #include "base/error.h"
+#include "base/finite.h"
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 #include <functional>
 
 namespace weft {
@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::uint32_t most_pixels = 65536; ///< a side
 constexpr std::uint32_t most_image_channels = 16;
-constexpr std::uint32_t exponent = 0x7f800000; ///< all its bits are set in infinities and NaNs
 
 void check_stride(const weft_image& image, const char* function, const char* argument)
 {
@@ -28,7 +27,7 @@ void check_stride(const weft_image& image, const char* function, const char* arg
             argument, "->data and ->stride must be multiples of ", size, ", the size of a value");
 }
 
-/// One row of interleaved values into one row of each plane; false if a float is not finite.
+/// One row of interleaved values into one row of each plane; false if a float is not finite, or beyond 2^64.
 template <class Value> bool read_row(const void* from, std::uint32_t width, std::uint32_t channels, float* to, std::size_t area, float most)
 {
     const auto* values = static_cast<const Value*>(from);
@@ -36,14 +35,8 @@ template <class Value> bool read_row(const void* from, std::uint32_t width, std:
     for (std::uint32_t c = 0; c < channels; ++c) {
         float* row = to + c * area;
         if constexpr (std::is_same_v<Value, float>) {
-            std::uint32_t spoiled = 0;
-            for (std::uint32_t x = 0; x < width; ++x) {
-                row[x] = values[std::size_t{x} * channels + c];
-                std::uint32_t bits;
-                std::memcpy(&bits, &row[x], sizeof bits);
-                spoiled |= (bits & exponent) == exponent ? 1U : 0U;
-            }
-            finite = finite && spoiled == 0;
+            for (std::uint32_t x = 0; x < width; ++x) row[x] = values[std::size_t{x} * channels + c];
+            finite = finite && all_below(row, width, two_to_64_bits);
         } else {
             for (std::uint32_t x = 0; x < width; ++x) row[x] = static_cast<float>(values[std::size_t{x} * channels + c]) / most;
         }
@@ -96,7 +89,7 @@ Planes read_image(const weft_image& image, std::pmr::memory_resource* memory, Pa
         }
     };
     parallel.for_each_index((image.height + rows_a_task - 1) / rows_a_task, std::ref(read));
-    require(spoiled == image.height, function, ": ", argument, " has a value in row ", spoiled.load(), " that is not finite");
+    require(spoiled == image.height, function, ": ", argument, " has a value in row ", spoiled.load(), " that is not finite, or beyond 2^64");
     return planes;
 }
 

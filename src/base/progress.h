@@ -17,6 +17,8 @@ public:
         if (report_ && report_(user_, static_cast<float>(from_ + (to_ - from_) * done)) != 0)
             throw Error(WEFT_ERROR_CANCELLED, "the progress function asked to stop");
     }
+    bool reports() const noexcept { return report_ != nullptr; }
+
     /// The part [from, to] of this share.
     Progress part(double from, double to) const noexcept
     {

@@ -1,23 +1,13 @@
 /// The invariants of a model.
 #include "model/model.h"
 #include "base/error.h"
-#include <cstring>
+#include "base/finite.h"
 
 namespace weft {
 
 namespace {
 
-bool all_finite(const float* values, std::size_t count) noexcept
-{
-    constexpr std::uint32_t exponent = 0x7f800000;
-    std::uint32_t spoiled = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        std::uint32_t bits;
-        std::memcpy(&bits, &values[i], sizeof bits);
-        spoiled |= (bits & exponent) == exponent ? 1U : 0U;
-    }
-    return spoiled == 0;
-}
+bool all_finite(const float* values, std::size_t count) noexcept { return all_below(values, count, two_to_64_bits); }
 
 template <class... Parts> void demand(bool good, const Parts&... parts)
 {
@@ -30,7 +20,7 @@ void check_planes(const Planes& planes, std::uint32_t channels, const char* what
     demand(planes.height >= 1 && planes.height <= most_side, "the ", what, "'s height is ", planes.height, ", not 1..", most_side);
     demand(planes.count == channels, "the ", what, " has ", planes.count, " channels, the model has ", channels);
     demand(planes.values.size() == planes.area() * planes.count, "the ", what, " has ", planes.values.size(), " values");
-    demand(all_finite(planes.values.data(), planes.values.size()), "the ", what, " has a value that is not finite");
+    demand(all_finite(planes.values.data(), planes.values.size()), "the ", what, " has a value that is not finite, or beyond 2^64");
 }
 
 } // namespace
@@ -38,7 +28,7 @@ void check_planes(const Planes& planes, std::uint32_t channels, const char* what
 void check_model(const Model& model)
 {
     demand(model.channels >= 1 && model.channels <= most_channels, "the model has ", model.channels, " channels, not 1..16");
-    demand(all_finite(model.mean.data(), model.channels), "the model's mean is not finite");
+    demand(all_finite(model.mean.data(), model.channels), "the model's mean is not finite, or beyond 2^64");
     for (std::uint32_t c = model.channels; c < most_channels; ++c) demand(model.mean[c] == 0, "the model has a mean beyond its channels");
     if (model.method == WEFT_METHOD_TEXTON) {
         const Texton& texton = model.texton;

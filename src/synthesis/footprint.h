@@ -1,0 +1,17 @@
+/// From a shading point to spots: what part of the texture a screen pixel covers.
+#pragma once
+#include <weft/backend.h>
+#include <cstdint>
+
+namespace weft {
+
+constexpr std::uint32_t most_probes = 16;
+
+/// Is every number of the point finite, and its position within 2^52?
+bool is_good(const weft_point& point) noexcept;
+
+/// Writes the point's spots and returns their number, 1..16: probes along the major axis of its footprint, whose mean
+/// is its colour. Up to the last bit the same on every machine.
+std::uint32_t make_spots(const weft_point& point, weft_spot* spots) noexcept;
+
+} // namespace weft

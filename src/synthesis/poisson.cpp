@@ -1,0 +1,55 @@
+/// Poisson thresholds, by the recurrence of the probabilities.
+#include "synthesis/poisson.h"
+#include <cmath>
+
+namespace weft {
+
+double exponential_of_minus(double x) noexcept
+{
+    constexpr double ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b3ap-40; // high * n is exact for n < 2^13
+    const auto halvings = static_cast<int>(x / (ln2_high + ln2_low) + 0.5);
+    const double r = (x - halvings * ln2_high) - halvings * ln2_low; // |r| <= ln 2 / 2
+    double sum = 1;
+    for (int k = 18; k > 0; --k) sum = 1 - r * sum / k;
+    for (int i = 0; i < halvings; ++i) sum *= 0.5;
+    return sum;
+}
+
+Array<std::uint32_t> poisson_thresholds(std::pmr::memory_resource* memory, double mean)
+{
+    constexpr std::uint32_t most = 255;
+    constexpr double scale = 4294967296.0;
+    std::uint32_t thresholds[most], count = 0;
+    double probability = exponential_of_minus(mean), sum = probability;
+    while (count < most) {
+        const double threshold = std::floor(sum * scale + 0.5);
+        if (threshold >= scale) break;
+        thresholds[count++] = static_cast<std::uint32_t>(threshold);
+        probability = probability * mean / count;
+        sum += probability;
+    }
+    if (count == 0) thresholds[count++] = UINT32_MAX;
+    Array<std::uint32_t> result(memory, count, Array<std::uint32_t>::unset);
+    for (std::uint32_t i = 0; i < count; ++i) result[i] = thresholds[i];
+    return result;
+}
+
+std::uint32_t choose_cell_log2(double rate, double width, double height, std::uint32_t period_x, std::uint32_t period_y) noexcept
+{
+    constexpr double cell_cost = 2; // in impacts: measured on points, which visit every cell within reach
+    std::uint32_t best = 0;
+    double least = 0;
+    for (std::uint32_t log2 = 0; log2 <= 15; ++log2) {
+        const double edge = static_cast<double>(1U << log2);
+        if (log2 > 0 && rate * edge * edge > most_mean) break;
+        if ((period_x != 0 && edge >= 2.0 * period_x) || (period_y != 0 && edge >= 2.0 * period_y)) break;
+        const double area = (width + edge) * (height + edge), cost = cell_cost * area / (edge * edge) + area * rate;
+        if (log2 == 0 || cost < least) {
+            best = log2;
+            least = cost;
+        }
+    }
+    return best;
+}
+
+} // namespace weft

@@ -1,0 +1,20 @@
+/// The number of impacts in a cell: integer thresholds of a Poisson distribution, and the cells it is drawn in.
+#pragma once
+#include "base/array.h"
+#include <cstdint>
+
+namespace weft {
+
+/// e^-x for 0 <= x <= 700, from + - * alone: the same bits with every compiler and C library.
+double exponential_of_minus(double x) noexcept;
+
+/// Thresholds for Poisson counts of mean 0 < `mean` <= most_mean: a count is how many of them a uniform 32-bit number
+/// reaches. Ascending, 1 to 255 of them; the tail that is cut off has a probability below 2^-32.
+constexpr double most_mean = 96;
+Array<std::uint32_t> poisson_thresholds(std::pmr::memory_resource* memory, double mean);
+
+/// log2 of the edge of the cells with which a sample is found fastest: impacts of `rate` per pixel that reach
+/// width x height pixels. Cells hold at most most_mean impacts, and are not much larger than the period (0: none).
+std::uint32_t choose_cell_log2(double rate, double width, double height, std::uint32_t period_x, std::uint32_t period_y) noexcept;
+
+} // namespace weft
