@@ -70,6 +70,7 @@ void bench_write_text(const bench* b);
 
 /* Ratios, 0 where they are not defined. Multiply-adds are counted as channels * 3 * impacts for a pixel. */
 double ratio_of_peak(const bench* b, const device_case* d);
+double ratio_of_peak_by_processor(const bench* b, const device_case* d); /* both in processor time */
 double ratio_of_store(const bench* b, const device_case* d);
 double ratio_to_yardstick(const bench* b, const device_case* d);
 double ratio_to_scalar(const bench* b, const device_case* d);

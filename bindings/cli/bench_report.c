@@ -37,11 +37,20 @@ static double window_ratio(const device_case* d, const device_case* other)
     return other ? divide(best_rate(&d->window), best_rate(&other->window)) : 0;
 }
 
+/* Multiply-adds that a pixel needs at least; 0 if that is not known. */
+static double work_of_pixel(const bench* b)
+{
+    return b->info.method == WEFT_METHOD_TEXTON ? 3.0 * b->info.channels * (double)b->impacts : 0;
+}
+
 double ratio_of_peak(const bench* b, const device_case* d)
 {
-    if (b->info.method != WEFT_METHOD_TEXTON) return 0;
-    double each = 3.0 * b->info.channels * (double)b->impacts;
-    return divide(best_rate(&d->window) * each, best_rate(&limits_of(b, d)->multiply_add));
+    return divide(best_rate(&d->window) * work_of_pixel(b), best_rate(&limits_of(b, d)->multiply_add));
+}
+
+double ratio_of_peak_by_processor(const bench* b, const device_case* d)
+{
+    return divide(processor_rate(&d->window) * work_of_pixel(b), processor_rate(&limits_of(b, d)->multiply_add));
 }
 
 double ratio_of_store(const bench* b, const device_case* d)
@@ -115,6 +124,7 @@ static void write_device(json* out, const bench* b, const device_case* d)
     write_rate(out, "megapoints_per_second", &d->sample, 1e6);
     json_object(out, "ratios");
     write_ratio(out, "of_multiply_add_peak", ratio_of_peak(b, d));
+    write_ratio(out, "of_multiply_add_peak_by_processor_time", ratio_of_peak_by_processor(b, d));
     write_ratio(out, "of_store_bandwidth", ratio_of_store(b, d));
     write_ratio(out, "to_yardstick", ratio_to_yardstick(b, d));
     write_ratio(out, "to_scalar", ratio_to_scalar(b, d));
@@ -168,6 +178,7 @@ static void print_device(const bench* b, const device_case* d)
     printf("%-14s %7u %9.1f %9.1f", d->device.name, d->threads, best_rate(&d->window) / 1e6,
            median_rate(&d->window) / 1e6);
     print_ratio(ratio_of_peak(b, d), 100, " %", 1);
+    print_ratio(ratio_of_peak_by_processor(b, d), 100, " %", 1);
     print_ratio(ratio_of_store(b, d), 100, " %", 1);
     print_ratio(ratio_to_yardstick(b, d), 1, "", 1);
     print_ratio(ratio_to_scalar(b, d), 1, "", 2);
@@ -184,7 +195,7 @@ void bench_write_text(const bench* b)
     if (b->has_yardstick) printf(", %g impacts", (double)b->impacts);
     printf("; window of %u x %u floats, best of %u\n", b->size.width, b->size.height, b->repetitions);
     print_limits(b);
-    printf("\n%-14s %7s %9s %9s %9s %9s %9s %9s %9s %10s %9s\n", "device", "threads", "Mpixel/s", "median", "of peak",
-           "of stores", "x gather", "x scalar", "x 1 thr.", "Mpoint/s", "x scalar");
+    printf("\n%-14s %7s %9s %9s %9s %9s %9s %9s %9s %9s %10s %9s\n", "device", "threads", "Mpixel/s", "median",
+           "of peak", "by CPU", "of stores", "x gather", "x scalar", "x 1 thr.", "Mpoint/s", "x scalar");
     for (int i = 0; i < b->device_count; i++) print_device(b, &b->devices[i]);
 }

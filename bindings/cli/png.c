@@ -172,9 +172,10 @@ int pngfile_begin(FILE* file, uint32_t width, uint32_t height, uint32_t channels
     if (w->png) w->info = png_create_info_struct(w->png);
     int bad = w->info ? write_header(w, file, width, height, channels, format) : refuse(&w->reason, "out of memory");
     if (bad) {
+        pngfile_reason incomplete;
         *why = w->reason;
         w->rows_left = 1; /* nothing to complete */
-        pngfile_end(w, &w->reason);
+        pngfile_end(w, &incomplete);
         return -1;
     }
     *writer = w;

@@ -38,17 +38,19 @@ static int poisson(uint32_t* state, float mean)
     return count > 0 ? (int)count : 0;
 }
 
-/* Adds the texton, bilinearly interpolated, at (dx, dy) texels from its first coefficient. */
+/* Adds the texton, bilinearly interpolated, at (dx, dy) texels from its first coefficient; both are at least -1. */
 static void fetch(const yardstick* y, float dx, float dy, float* sum)
 {
-    float left = floorf(dx), top = floorf(dy), tx = dx - left, ty = dy - top;
-    size_t row = (size_t)(y->width + 2) * y->channels;
-    const float* t = y->texton + (size_t)((int)top + 1) * row + (size_t)((int)left + 1) * y->channels;
-    for (uint32_t c = 0; c < y->channels; c++) {
-        float upper = t[c] + tx * (t[c + y->channels] - t[c]);
-        float lower = t[row + c] + tx * (t[row + c + y->channels] - t[row + c]);
-        sum[c] += upper + ty * (lower - upper);
-    }
+    int left = (int)(dx + 1), top = (int)(dy + 1); /* in the frame */
+    float tx = dx + 1 - (float)left, ty = dy + 1 - (float)top;
+    size_t texel = (size_t)y->fours * 4, row = texel * (y->width + 2);
+    const float* t = y->texton + (size_t)top * row + (size_t)left * texel;
+    for (size_t first = 0; first < texel; first += 4)
+        for (size_t c = first; c < first + 4; c++) {
+            float upper = t[c] + tx * (t[c + texel] - t[c]);
+            float lower = t[row + c] + tx * (t[row + c + texel] - t[row + c]);
+            sum[c] += upper + ty * (lower - upper);
+        }
 }
 
 static void add_cell(const yardstick* y, int cx, int cy, const float at[2], const float cell[2], float* sum)
@@ -80,9 +82,25 @@ void yardstick_pixel(const yardstick* y, float x_at, float y_at, float* out)
 static void sum_coefficients(yardstick* y)
 {
     memset(y->sum, 0, sizeof y->sum);
-    size_t count = (size_t)(y->width + 2) * (y->height + 2);
+    size_t count = (size_t)(y->width + 2) * (y->height + 2), texel = (size_t)y->fours * 4;
     for (size_t i = 0; i < count; i++)
-        for (uint32_t c = 0; c < y->channels; c++) y->sum[c] += y->texton[i * y->channels + c];
+        for (size_t c = 0; c < y->channels; c++) y->sum[c] += y->texton[i * texel + c];
+}
+
+/* Reads the model's coefficients and spreads them over the framed texels. */
+static int read_texton(yardstick* y, const weft_model* model)
+{
+    size_t texel = (size_t)y->fours * 4;
+    float* values = malloc(sizeof *values * y->width * y->height * y->channels);
+    y->texton = calloc(texel * (y->width + 2) * (y->height + 2), sizeof *y->texton);
+    const weft_image image = {values, 0, y->width, y->height, y->channels, WEFT_FORMAT_F32};
+    int bad = !values || !y->texton || weft_model_part_read(model, 0, &image) != WEFT_OK;
+    for (size_t i = 0; i < (size_t)y->width * y->height && !bad; i++) {
+        size_t place = (i / y->width + 1) * (y->width + 2) + i % y->width + 1;
+        memcpy(y->texton + place * texel, values + i * y->channels, y->channels * sizeof *values);
+    }
+    free(values);
+    return bad;
 }
 
 int yardstick_open(yardstick* y, const weft_model* model, const weft_model_info* info, float impacts)
@@ -90,24 +108,16 @@ int yardstick_open(yardstick* y, const weft_model* model, const weft_model_info*
     weft_part_info part = WEFT_PART_INFO_INIT;
     memset(y, 0, sizeof *y);
     if (info->method != WEFT_METHOD_TEXTON || weft_model_part(model, 0, &part) != WEFT_OK) return -1;
-    size_t row = (size_t)(part.width + 2) * part.channels;
-    y->texton = calloc(row * (part.height + 2), sizeof *y->texton);
-    if (!y->texton) return -1;
-    weft_image inside = {y->texton + row + part.channels,
-                         (int64_t)(row * sizeof *y->texton),
-                         part.width,
-                         part.height,
-                         part.channels,
-                         WEFT_FORMAT_F32};
-    if (weft_model_part_read(model, 0, &inside) != WEFT_OK) {
-        yardstick_free(y);
-        return -1;
-    }
     y->width = part.width;
     y->height = part.height;
     y->channels = part.channels;
+    y->fours = (part.channels + 3) / 4;
     y->impacts = impacts;
     memcpy(y->mean, info->mean, sizeof y->mean);
+    if (read_texton(y, model) != 0) {
+        yardstick_free(y);
+        return -1;
+    }
     sum_coefficients(y);
     return 0;
 }

@@ -6,8 +6,9 @@
 #include <weft/weft.h>
 
 typedef struct yardstick {
-    float* texton; /* (height + 2) x (width + 2) x channels: framed by zeros, as a GPU's border is */
+    float* texton; /* (height + 2) x (width + 2) texels, framed by zeros, as a GPU's border is */
     uint32_t width, height, channels;
+    uint32_t fours;          /* a texel is that many times four floats, as a GPU's is RGBA */
     float mean[16], sum[16]; /* of the noise; of the texton's coefficients */
     float impacts;
 } yardstick;
