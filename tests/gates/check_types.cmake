@@ -1,0 +1,21 @@
+# The types and functions of libweft.so against the recorded ones, by libabigail. With UPDATE they are recorded anew.
+find_program(ABIDW abidw REQUIRED)
+find_program(ABIDIFF abidiff REQUIRED)
+set(now ${LIBRARY}.abi)
+# No paths, no line numbers, no build identity: the record changes when the interface does.
+execute_process(COMMAND ${ABIDW} --headers-dir ${HEADERS} --drop-private-types --no-corpus-path --no-comp-dir-path --no-show-locs
+    --no-architecture --type-id-style hash --out-file ${now} ${LIBRARY} COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${now} text)
+if(NOT text MATCHES "weft_texture_render" OR NOT text MATCHES "name='weft_texton_options'")
+  message(FATAL_ERROR "${now} does not describe libweft: was it built with -g?")
+endif()
+if(UPDATE)
+  file(COPY_FILE ${now} ${RECORD})
+  message("recorded in ${RECORD}")
+  return()
+endif()
+execute_process(COMMAND ${ABIDIFF} --no-show-locs ${RECORD} ${now} RESULT_VARIABLE difference)
+if(difference)
+  message(FATAL_ERROR "the interface is not the recorded one; if it is meant: ./run abi-update, a note in CHANGELOG.md, and from 1.0 on only additions")
+endif()
+message("the types are the recorded ones")
