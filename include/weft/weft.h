@@ -13,7 +13,10 @@
  * Threads    any function may be called from any thread at any time; models and textures are immutable, so one
  *            handle may be used by many threads at once. Nobody may be using what is freed.
  * Structs    that begin with `size` may grow at their end. Start them from their _INIT value; a zero field
- *            always means the default. A tail that this library does not know must be zero.
+ *            always means the default. A shorter struct of an older header is taken as if its tail were zero. A
+ *            longer one of a newer header must be zero beyond what this library knows, else WEFT_ERROR_UNSUPPORTED;
+ *            of one that is filled in, the unknown tail becomes zero. A field called `zero` counts as such a tail. A
+ *            size below 4 or above 4096 is WEFT_ERROR_ARGUMENT.
  * Values     are used in the encoding they come in: sRGB in, sRGB out; data in, data out. Output is never
  *            normalised per image; integer formats are rounded to nearest and clamped.
  * Positions  are in pixels of the exemplar, x to the right and y down; a pixel (i, j) is the sample at its
