@@ -1,82 +1,133 @@
-/// Planes of floats into the caller's interleaved pixels.
+/// Planes of floats into the caller's interleaved pixels: a block of pixels is rounded plane by plane, then interleaved.
 #include "base/image.h"
+#include <algorithm>
 #include <cstring>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace weft {
 
 namespace {
 
-/// Rounded to nearest (ties to even) and clamped; NaN gives 0. Adding 2^23 leaves the integer in the low bits: no
-/// conversion, so the loops around it vectorise without any instruction set beyond the baseline.
-inline std::uint32_t rounded(float value, float most) noexcept
-{
-    float v = value * most;
-    v = v > 0.0F ? v : 0.0F;
-    v = v < most ? v : most;
-    v += 8388608.0F;
-    std::uint32_t bits;
-    std::memcpy(&bits, &v, sizeof bits);
-    return bits - UINT32_C(0x4b000000);
-}
+constexpr std::uint32_t block = 128; ///< pixels; all channels of a block stay in the first cache
 
-template <class Value> Value converted(float value, float most) noexcept
+/// One plane of a block as integers: rounded to nearest (ties to even) and clamped to 0..most.
+void round_values(const float* from, std::uint32_t count, float most, std::uint32_t* to) noexcept
 {
-    if constexpr (std::is_same_v<Value, float>)
-        return value;
-    else
-        return static_cast<Value>(rounded(value, most));
-}
-
-/// Any number of channels. `Channels` 0: not known before.
-template <class Value, std::uint32_t Channels>
-void write_row(char* to, const float* from, std::size_t plane, std::uint32_t width, std::uint32_t channels, float most) noexcept
-{
-    const std::uint32_t n = Channels ? Channels : channels;
-    auto* values = reinterpret_cast<Value*>(to);
-    if constexpr (Channels != 0) {
-        for (std::uint32_t x = 0; x < width; ++x)
-            for (std::uint32_t c = 0; c < Channels; ++c) values[std::size_t{x} * Channels + c] = converted<Value>(from[c * plane + x], most);
-    } else {
-        for (std::uint32_t c = 0; c < n; ++c)
-            for (std::uint32_t x = 0; x < width; ++x) values[std::size_t{x} * n + c] = converted<Value>(from[c * plane + x], most);
+    std::uint32_t i = 0;
+#ifdef __SSE2__ // compilers do not turn a clamp into minps and maxps unless they may forget about NaN
+    for (; i + 4 <= count; i += 4) {
+        const __m128 value = _mm_mul_ps(_mm_loadu_ps(from + i), _mm_set1_ps(most));
+        const __m128 clamped = _mm_min_ps(_mm_max_ps(value, _mm_setzero_ps()), _mm_set1_ps(most));
+        _mm_storeu_si128(reinterpret_cast<__m128i*>(to + i), _mm_cvtps_epi32(clamped));
+    }
+#endif
+    for (; i < count; ++i) {
+        float value = from[i] * most;
+        value = value > 0.0F ? value : 0.0F;
+        value = (value < most ? value : most) + 8388608.0F; // the sum keeps the integer in its low bits
+        std::uint32_t bits;
+        std::memcpy(&bits, &value, sizeof bits);
+        to[i] = bits - UINT32_C(0x4b000000);
     }
 }
 
-/// Three channels of bytes or of 16 bits: pixels are put together in words, which are stored one over the last one's
-/// unused end. The row's last pixel is written value by value, so nothing beyond it is touched.
-template <class Value, class Word>
-void write_row_of_three(char* to, const float* from, std::size_t plane, std::uint32_t width, float most) noexcept
+using Rows = std::uint32_t[4][block];
+
+/// Pixels as words, each stored over the unused end of the one before: so the last pixel must not be among them.
+void store_three(const Rows& rows, std::uint32_t count, std::uint8_t* to) noexcept
 {
-    constexpr std::uint32_t block = 128;
-    constexpr unsigned bits = 8 * sizeof(Value);
-    const std::uint32_t whole = width - 1;
-    Word words[block];
-    for (std::uint32_t begin = 0; begin < whole; begin += block) {
-        const std::uint32_t count = whole - begin < block ? whole - begin : block;
-        const float *r = from + begin, *g = r + plane, *b = g + plane;
-        for (std::uint32_t i = 0; i < count; ++i)
-            words[i] = rounded(r[i], most) | static_cast<Word>(rounded(g[i], most)) << bits | static_cast<Word>(rounded(b[i], most)) << 2 * bits;
-        char* pixel = to + std::size_t{begin} * 3 * sizeof(Value);
-        for (std::uint32_t i = 0; i < count; ++i) std::memcpy(pixel + std::size_t{i} * 3 * sizeof(Value), &words[i], sizeof(Word));
+    std::uint32_t words[block];
+    for (std::uint32_t i = 0; i < count; ++i) words[i] = rows[0][i] | rows[1][i] << 8 | rows[2][i] << 16;
+    for (std::uint32_t i = 0; i < count; ++i) std::memcpy(to + std::size_t{i} * 3, &words[i], 4);
+}
+
+void store_three(const Rows& rows, std::uint32_t count, std::uint16_t* to) noexcept
+{
+    std::uint32_t pairs[block];
+    for (std::uint32_t i = 0; i < count; ++i) pairs[i] = rows[0][i] | rows[1][i] << 16;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        std::memcpy(to + std::size_t{i} * 3, &pairs[i], 4);
+        std::memcpy(to + std::size_t{i} * 3 + 2, &rows[2][i], 4);
     }
-    write_row<Value, 3>(to + std::size_t{whole} * 3 * sizeof(Value), from + whole, plane, 1, 3, most);
+}
+
+void store_four(const Rows& rows, std::uint32_t count, std::uint8_t* to) noexcept
+{
+    std::uint32_t words[block];
+    for (std::uint32_t i = 0; i < count; ++i) words[i] = (rows[0][i] | rows[1][i] << 8) | (rows[2][i] << 16 | rows[3][i] << 24);
+    std::memcpy(to, words, std::size_t{count} * 4);
+}
+
+void store_four(const Rows& rows, std::uint32_t count, std::uint16_t* to) noexcept
+{
+    std::uint32_t words[2 * block];
+    for (std::uint32_t i = 0; i < count; ++i) {
+        words[2 * i] = rows[0][i] | rows[1][i] << 16;
+        words[2 * i + 1] = rows[2][i] | rows[3][i] << 16;
+    }
+    std::memcpy(to, words, std::size_t{count} * 8);
 }
 
 constexpr bool little_endian = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
 
-template <class Value> void write_values(char* to, const float* from, std::size_t plane, std::uint32_t width, std::uint32_t channels) noexcept
+/// One to four channels whose pixels are put together from words; the rest of the row is left.
+template <class Value> std::uint32_t write_words(Value* to, const float* from, std::size_t plane, std::uint32_t width, std::uint32_t channels,
+                                                 float most) noexcept
+{
+    if (!little_endian || channels < 3 || channels > 4) return 0;
+    const std::uint32_t whole = channels == 3 ? width - 1 : width;
+    Rows rows;
+    for (std::uint32_t x = 0; x < whole; x += block) {
+        const std::uint32_t count = std::min(block, whole - x);
+        for (std::uint32_t c = 0; c < channels; ++c) round_values(from + c * plane + x, count, most, rows[c]);
+        if (channels == 3)
+            store_three(rows, count, to + std::size_t{x} * 3);
+        else
+            store_four(rows, count, to + std::size_t{x} * 4);
+    }
+    return whole;
+}
+
+template <class Value>
+void write_integers(Value* to, const float* from, std::size_t plane, std::uint32_t width, std::uint32_t channels) noexcept
 {
     constexpr float most = sizeof(Value) == 1 ? 255.0F : 65535.0F;
-    if constexpr (!std::is_same_v<Value, float> && little_endian) {
-        using Word = std::conditional_t<sizeof(Value) == 1, std::uint32_t, std::uint64_t>;
-        if (channels == 3) return write_row_of_three<Value, Word>(to, from, plane, width, most);
+    std::uint32_t values[block];
+    for (std::uint32_t x = write_words(to, from, plane, width, channels, most); x < width; x += block) {
+        const std::uint32_t count = std::min(block, width - x);
+        for (std::uint32_t c = 0; c < channels; ++c) {
+            round_values(from + c * plane + x, count, most, values);
+            Value* pixel = to + std::size_t{x} * channels + c;
+            if (channels == 1)
+                for (std::uint32_t i = 0; i < count; ++i) pixel[i] = static_cast<Value>(values[i]);
+            else
+                for (std::uint32_t i = 0; i < count; ++i) pixel[std::size_t{i} * channels] = static_cast<Value>(values[i]);
+        }
     }
-    switch (channels) {
-    case 1: return write_row<Value, 1>(to, from, plane, width, 1, most);
-    case 3: return write_row<Value, 3>(to, from, plane, width, 3, most);
-    case 4: return write_row<Value, 4>(to, from, plane, width, 4, most);
-    default: return write_row<Value, 0>(to, from, plane, width, channels, most);
-    }
+}
+
+template <std::uint32_t Channels> void interleave(float* to, const float* from, std::size_t plane, std::uint32_t width) noexcept
+{
+    for (std::uint32_t x = 0; x < width; ++x)
+        for (std::uint32_t c = 0; c < Channels; ++c) to[std::size_t{x} * Channels + c] = from[c * plane + x];
+}
+
+void write_floats(float* to, const float* from, std::size_t plane, std::uint32_t width, std::uint32_t channels) noexcept
+{
+    if (channels == 1)
+        std::memcpy(to, from, std::size_t{width} * sizeof(float));
+    else if (channels == 2)
+        interleave<2>(to, from, plane, width);
+    else if (channels == 3)
+        interleave<3>(to, from, plane, width);
+    else if (channels == 4)
+        interleave<4>(to, from, plane, width);
+    else
+        for (std::uint32_t begin = 0; begin < width; begin += block)
+            for (std::uint32_t c = 0; c < channels; ++c)
+                for (std::uint32_t x = begin; x < std::min(width, begin + block); ++x) to[std::size_t{x} * channels + c] = from[c * plane + x];
 }
 
 } // namespace
@@ -90,11 +141,11 @@ void write_window(const weft_image& image, std::uint32_t x, std::uint32_t y, std
         char* to = static_cast<char*>(image.data) + static_cast<std::int64_t>(y + j) * stride_of(image) + x * pixel;
         const float* from = source + j * stride;
         if (image.format == WEFT_FORMAT_U8)
-            write_values<std::uint8_t>(to, from, plane, width, image.channels);
+            write_integers(reinterpret_cast<std::uint8_t*>(to), from, plane, width, image.channels);
         else if (image.format == WEFT_FORMAT_U16)
-            write_values<std::uint16_t>(to, from, plane, width, image.channels);
+            write_integers(reinterpret_cast<std::uint16_t*>(to), from, plane, width, image.channels);
         else
-            write_values<float>(to, from, plane, width, image.channels);
+            write_floats(reinterpret_cast<float*>(to), from, plane, width, image.channels);
     }
 }
 
