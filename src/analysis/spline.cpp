@@ -24,7 +24,7 @@ Array<float> spline_spectrum(std::pmr::memory_resource* memory, const SplineSamp
     for (std::uint32_t k = 0; k < count; ++k) {
         double sum = samples.values[0];
         for (std::uint32_t j = 1; j < samples.count; ++j)
-            sum += 2 * samples.values[j] * std::cos(two_pi * (std::uint64_t{j} * k % length) / length);
+            sum += 2 * samples.values[j] * std::cos(two_pi * static_cast<double>(std::uint64_t{j} * k % length) / length);
         spectrum[k] = static_cast<float>(sum);
     }
     return spectrum;

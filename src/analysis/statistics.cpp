@@ -1,0 +1,49 @@
+/// Means and extremes row by row; covariances block by block.
+#include "analysis/statistics.h"
+#include <algorithm>
+#include <cmath>
+
+namespace weft {
+
+ChannelStatistics channel_statistics(Core& core, const float* plane, std::uint32_t width, std::uint32_t height)
+{
+    struct Row {
+        double sum, squares;
+        float least, most;
+    };
+    Array<Row> rows(&core.memory, height);
+    const double origin = static_cast<double>(plane[0]); // near the mean, so that squares keep their digits
+    for_each_run(core.parallel, height, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::size_t y = first; y < last; ++y) {
+            const float* row = plane + y * width;
+            Row& total = rows[y] = {0, 0, row[0], row[0]};
+            for (std::uint32_t x = 0; x < width; ++x) {
+                const double value = static_cast<double>(row[x]) - origin;
+                total.sum += value;
+                total.squares += value * value;
+                total.least = std::min(total.least, row[x]);
+                total.most = std::max(total.most, row[x]);
+            }
+        }
+    });
+    Row all = rows[0];
+    for (std::size_t y = 1; y < height; ++y)
+        all = {all.sum + rows[y].sum, all.squares + rows[y].squares, std::min(all.least, rows[y].least), std::max(all.most, rows[y].most)};
+    if (all.least == all.most) return {origin, 0};
+    const double pixels = static_cast<double>(width) * height, mean = all.sum / pixels;
+    return {origin + mean, std::sqrt(std::max(all.squares / pixels - mean * mean, 0.0))};
+}
+
+Matrix sum_of(const Array<Matrix>& parts, std::uint32_t size) noexcept
+{
+    Matrix sum;
+    sum.size = size;
+    for (const Matrix& part : parts)
+        for (std::uint32_t i = 0; i < size; ++i)
+            for (std::uint32_t j = i; j < size; ++j) sum[i][j] += part[i][j];
+    for (std::uint32_t i = 0; i < size; ++i)
+        for (std::uint32_t j = 0; j < i; ++j) sum[i][j] = sum[j][i];
+    return sum;
+}
+
+} // namespace weft
