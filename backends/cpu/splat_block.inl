@@ -1,0 +1,169 @@
+/// SPLAT windows in vectors. Included by rows.inl, inside its unnamed namespace.
+///
+/// All pixels of a window see an impact with the same fractions, so what an impact adds to a row of accumulators is a row
+/// of texels times constants. Accumulator i of pixel x takes what lies in texel column x + i; it is kept under the number
+/// of that column, where all accumulators of a column take the same sum of texels, and the shift by i is done once, at the
+/// end. A block of one vector of columns by `band` rows stays in registers while all its impacts pass; zeros around the
+/// texels replace tests of bounds, and add nothing to any sum.
+
+constexpr uint32_t lanes = WEFT_LANES;
+constexpr uint32_t band_apron = 8; ///< rows of zeros: at least rows + taps - 2 of every band
+
+/// Rows of a block: as many as leave registers for the weights and two rows of texels.
+constexpr uint32_t band_rows(uint32_t taps)
+{
+    constexpr uint32_t most = lanes == 8 ? 10 : 16; // 16 vector registers with AVX2, 32 with AVX-512 and NEON
+    return taps == 1 ? 8 : most / taps;
+}
+
+typedef float Vector __attribute__((vector_size(WEFT_LANES * 4)));
+
+inline Vector load(const float* from)
+{
+    Vector v;
+    __builtin_memcpy(&v, from, sizeof v);
+    return v;
+}
+
+inline Vector fma(const Vector& a, const Vector& b, const Vector& c)
+{
+    Vector sum;
+    for (uint32_t i = 0; i < lanes; ++i) sum[i] = weft_fma(a[i], b[i], c[i]); // one instruction with both compilers
+    return sum;
+}
+
+inline Vector same(float a) { return a - Vector{}; }
+
+/// One block of one plane: `texels` is that of an impact of origin 0, under the block's first pixel.
+template <uint32_t taps> struct Gather {
+    static constexpr uint32_t rows = band_rows(taps);
+
+    static void block(const float* texels, int64_t pitch, const Impacts& found, const uint32_t* list, uint32_t count,
+                      float* sums, uint32_t stride)
+    {
+        Vector sum[rows][taps];
+        for (uint32_t r = 0; r < rows; ++r)
+            for (uint32_t i = 0; i < taps; ++i) sum[r][i] = Vector{};
+        for (uint32_t n = 0; n < count; ++n) {
+            const Spline& spline = found.splines[list[n]];
+            const float* from = texels + found.impacts[list[n]].origin;
+            for (uint32_t r = 0; r < rows; ++r, from += pitch) {
+                Vector v = same(spline.y[0]) * load(from);
+                for (uint32_t j = 1; j < taps; ++j) v = fma(same(spline.y[j]), load(from + j * pitch), v);
+                for (uint32_t i = 0; i < taps; ++i) sum[r][i] = fma(same(spline.x[i]), v, sum[r][i]);
+            }
+        }
+        for (uint32_t r = 0; r < rows; ++r)
+            for (uint32_t i = 0; i < taps; ++i) __builtin_memcpy(sums + (r * taps + i) * stride, &sum[r][i], sizeof(Vector));
+    }
+};
+
+template <> struct Gather<2> {
+    static constexpr uint32_t rows = band_rows(2);
+
+    static void block(const float* texels, int64_t pitch, const Impacts& found, const uint32_t* list, uint32_t count,
+                      float* sums, uint32_t stride)
+    {
+        Vector left[rows], right[rows];
+        for (uint32_t r = 0; r < rows; ++r) left[r] = right[r] = Vector{};
+        for (uint32_t n = 0; n < count; ++n) {
+            const Impact& impact = found.impacts[list[n]];
+            const Vector w0 = same(impact.w0), w1 = same(impact.w1), rho = same(impact.rho);
+            const float* from = texels + impact.origin;
+            Vector above = load(from);
+#pragma GCC unroll 16
+            for (uint32_t r = 0; r < rows; ++r) {
+                from += pitch;
+                const Vector below = load(from);
+                const Vector v = fma(rho, below, above);
+                left[r] = fma(w0, v, left[r]);
+                right[r] = fma(w1, v, right[r]);
+                above = below;
+            }
+        }
+        for (uint32_t r = 0; r < rows; ++r) {
+            __builtin_memcpy(sums + 2 * r * stride, &left[r], sizeof(Vector));
+            __builtin_memcpy(sums + (2 * r + 1) * stride, &right[r], sizeof(Vector));
+        }
+    }
+};
+
+/// What a strip is rendered with, in its scratch: for each block of columns the impacts that reach it in a band, in
+/// order, and the accumulators of a band.
+struct Band {
+    uint32_t blocks, stride, limit;
+    uint32_t* counts; ///< blocks
+    uint32_t* lists;  ///< blocks * limit
+    float* sums;      ///< rows * taps * stride
+};
+
+uint32_t blocks_for(uint32_t width, uint32_t taps) { return (width + taps - 1 + lanes - 1) / lanes; }
+
+size_t scratch(uint32_t impacts, uint32_t width, uint32_t taps)
+{
+    const size_t blocks = blocks_for(width, taps);
+    const size_t sums = size_t(band_rows(taps)) * taps * (blocks + 1) * lanes;
+    return (sums + blocks * (size_t(impacts) + 1)) * sizeof(float);
+}
+
+Band band_in(const Strip& strip, uint32_t impacts, uint32_t taps)
+{
+    Band band;
+    band.blocks = blocks_for(strip.width, taps);
+    band.stride = (band.blocks + 1) * lanes;
+    band.limit = impacts;
+    band.sums = static_cast<float*>(strip.scratch);
+    band.counts = reinterpret_cast<uint32_t*>(band.sums + size_t(band_rows(taps)) * taps * band.stride);
+    band.lists = band.counts + band.blocks;
+    return band;
+}
+
+/// Sorts the impacts that reach rows first..first + rows - 1 by the blocks they reach.
+void fill_lists(const Band& band, const Texels& texels, const Impacts& found, int32_t first, uint32_t rows, uint32_t taps)
+{
+    for (uint32_t b = 0; b < band.blocks; ++b) band.counts[b] = 0;
+    const int32_t reach = int32_t(rows + taps) - 2, columns = int32_t(band.blocks * lanes);
+    for (uint32_t n = 0; n < found.count; ++n) {
+        const Impact& impact = found.impacts[n];
+        const int32_t row = impact.row + first, last = texels.width - 1 - impact.column;
+        if ((row + reach < 0) | (row >= texels.height)) continue;
+        const uint32_t begin = impact.column < 0 ? uint32_t(-impact.column) / lanes : 0;
+        const uint32_t end = uint32_t(last < columns ? last : columns - 1) / lanes;
+        for (uint32_t b = begin; b <= end; ++b) band.lists[size_t(b) * band.limit + band.counts[b]++] = n;
+    }
+}
+
+template <uint32_t taps> void splat_rows(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip)
+{
+    constexpr uint32_t rows = band_rows(taps);
+    const Band band = band_in(strip, found.count, taps);
+    for (uint32_t y = 0; y < strip.count; y += rows) {
+        fill_lists(band, texels, found, int32_t(strip.first + y), rows, taps);
+        const uint32_t height = strip.count - y < rows ? strip.count - y : rows;
+        for (uint32_t p = 0; p < splat.planes; ++p) {
+            const float* plane = texels.data + p * texels.plane + int64_t(strip.first + y) * texels.row;
+            for (uint32_t b = 0; b < band.blocks; ++b)
+                Gather<taps>::block(plane + b * lanes, texels.row, found, band.lists + size_t(b) * band.limit,
+                                    band.counts[b], band.sums + b * lanes, band.stride);
+            for (uint32_t r = 0; r < height; ++r) {
+                const float* sums = band.sums + size_t(r) * taps * band.stride;
+                float* out = strip.data + (size_t(p) * strip.count + y + r) * strip.stride;
+                const float offset = splat.offset[p];
+                for (uint32_t x = 0; x < strip.width; ++x) {
+                    float f = sums[x];
+                    for (uint32_t i = 1; i < taps; ++i) f = f + sums[i * band.stride + x + i];
+                    out[x] = f + offset;
+                }
+            }
+        }
+    }
+}
+
+void splat_strip(const Splat& splat, uint32_t level, const Impacts& found, const Strip& strip)
+{
+    const Texels& texels = splat.texels[level];
+    if (splat.taps == 1) splat_rows<1>(splat, texels, found, strip);
+    else if (splat.taps == 2) splat_rows<2>(splat, texels, found, strip);
+    else if (splat.taps == 4) splat_rows<4>(splat, texels, found, strip);
+    else splat_rows<6>(splat, texels, found, strip);
+}
