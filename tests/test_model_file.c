@@ -1,7 +1,5 @@
 /* The model file: canonical bytes, every truncation, every flipped bit, golden files. */
-#include "support.h"
-#include <stdio.h>
-#include <stdlib.h>
+#include "golden.h"
 #include <string.h>
 
 static weft_context *context;
@@ -150,17 +148,15 @@ static void random_damage(void **state)
     }
 }
 
-static const char *const golden[] = {"linear_rgb", "nearest_grey", "cubic_rgb", "quintic_grey", "linear_16", "picture_rgb", "picture_5"};
-
 /* Files of this release and of every one before it load, and are saved as the same bytes. */
 static void golden_files(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < sizeof golden / sizeof *golden; ++i) {
+    for (size_t i = 0; i < GOLDEN_MODELS; ++i) {
         char path[512];
         size_t size = 0, size_again = 0;
         weft_model *model = NULL;
-        snprintf(path, sizeof path, "%s/%s.weft", WEFT_TEST_DATA, golden[i]);
+        snprintf(path, sizeof path, "%s/%s.weft", WEFT_TEST_DATA, golden_models[i]);
         void *bytes = read_file(path, &size);
         if (!bytes) print_error("no %s\n", path);
         assert_non_null(bytes);

@@ -112,22 +112,27 @@ static weft_status texture_sample(weft_backend_texture *texture, const weft_batc
     return WEFT_OK;
 }
 
+#ifdef WEFT_STUB_HOLE
+#define TEXTURE_CLOSE NULL
+#else
+#define TEXTURE_CLOSE texture_close
 static void texture_close(weft_backend_texture *texture)
 {
     const weft_host *host = texture->device->host;
     host->deallocate(host->self, texture, sizeof *texture, sizeof(void *));
 }
+#endif
 
-#ifdef WEFT_STUB_HOLE
-#define TEXTURE_SAMPLE NULL
+#ifdef WEFT_STUB_NAMELESS
+#define NAME NULL
 #else
-#define TEXTURE_SAMPLE texture_sample
+#define NAME WEFT_STUB_NAME
 #endif
 
 #define TABLE                                                                                                          \
     {                                                                                                                  \
-        WEFT_STUB_MAGIC, WEFT_STUB_SIZE, WEFT_STUB_MAJOR, WEFT_STUB_MINOR, WEFT_STUB_NAME, device_count, device_info,   \
-            device_open, device_close, texture_open, texture_render, TEXTURE_SAMPLE, texture_close                     \
+        WEFT_STUB_MAGIC, WEFT_STUB_SIZE, WEFT_STUB_MAJOR, WEFT_STUB_MINOR, NAME, device_count, device_info,   \
+            device_open, device_close, texture_open, texture_render, texture_sample, TEXTURE_CLOSE                     \
     }
 
 #if defined(WEFT_STUB_SYMBOL)
