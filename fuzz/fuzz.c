@@ -1,0 +1,72 @@
+/* What the fuzz targets share. */
+#include "fuzz.h"
+
+weft_context *fuzz_context(const char *device)
+{
+    static weft_context *contexts[4];
+    static char names[4][32];
+    for (size_t i = 0; i < 4; ++i) {
+        if (contexts[i] && strcmp(names[i], device) == 0) return contexts[i];
+        if (contexts[i]) continue;
+        weft_context_options options = WEFT_CONTEXT_OPTIONS_INIT;
+        options.threads = 1;
+        options.device = device;
+        options.memory_limit = UINT64_C(64) << 20;
+        FUZZ_CHECK(weft_context_create(&options, &contexts[i]) == WEFT_OK);
+        snprintf(names[i], sizeof names[i], "%s", device);
+        return contexts[i];
+    }
+    FUZZ_CHECK(!"more than four devices");
+    return NULL;
+}
+
+void fuzz_check_error(weft_status status)
+{
+    FUZZ_CHECK(status < 0 && status > WEFT_ERROR_INTERNAL);
+    FUZZ_CHECK(strncmp(weft_status_name(status), "WEFT_ERROR_", 11) == 0);
+    FUZZ_CHECK(weft_error_message()[0] != '\0');
+}
+
+void fuzz_take(const uint8_t **bytes, size_t *size, void *value, size_t count)
+{
+    const size_t there = *size < count ? *size : count;
+    memset(value, 0, count);
+    if (there) memcpy(value, *bytes, there);
+    *bytes += there;
+    *size -= there;
+}
+
+static int is_finite(float value) { return value - value == 0; }
+
+static void check_info(const weft_model *model, const weft_model_info *info)
+{
+    FUZZ_CHECK(info->method == WEFT_METHOD_TEXTON || info->method == WEFT_METHOD_PICTURE);
+    FUZZ_CHECK(info->channels >= 1 && info->channels <= 16 && info->parts >= 1);
+    FUZZ_CHECK(info->width >= 1 && info->width <= 16384 && info->height >= 1 && info->height <= 16384);
+    FUZZ_CHECK(info->model_error == -1 || (info->model_error >= 0 && is_finite(info->model_error)));
+    for (uint32_t c = 0; c < info->channels; ++c) FUZZ_CHECK(is_finite(info->mean[c]) && info->deviation[c] >= 0);
+    for (uint32_t i = 0; i < info->parts; ++i) {
+        weft_part_info part = WEFT_PART_INFO_INIT;
+        FUZZ_CHECK(weft_model_part(model, i, &part) == WEFT_OK);
+        FUZZ_CHECK(part.low <= part.high && memchr(part.name, 0, sizeof part.name));
+    }
+}
+
+void fuzz_check_model(weft_context *context, const weft_model *model)
+{
+    weft_model_info info = WEFT_MODEL_INFO_INIT;
+    weft_model *again = NULL;
+    FUZZ_CHECK(weft_model_get(model, &info) == WEFT_OK);
+    check_info(model, &info);
+    FUZZ_CHECK(info.bytes < UINT64_C(64) << 20);
+    const size_t size = (size_t)info.bytes;
+    uint8_t *first = malloc(size), *second = malloc(size);
+    FUZZ_CHECK(first && second);
+    FUZZ_CHECK(weft_model_save(model, first, size) == WEFT_OK);
+    FUZZ_CHECK(weft_model_load(context, first, size, &again) == WEFT_OK);
+    FUZZ_CHECK(weft_model_save(again, second, size) == WEFT_OK);
+    FUZZ_CHECK(memcmp(first, second, size) == 0);
+    weft_model_free(again);
+    free(first);
+    free(second);
+}

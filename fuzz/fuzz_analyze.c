@@ -1,0 +1,57 @@
+/* A small image and arbitrary options: analysis and comparison end with a status, within 64 MiB. The first 40 bytes are
+ * options and sizes, pixels follow. */
+#include "fuzz.h"
+
+enum { most_side = 40 };
+
+static int32_t count_down(void *user, float done)
+{
+    int *left = user;
+    FUZZ_CHECK(done >= 0 && done <= 1);
+    return (*left)-- == 0;
+}
+
+static void compare(weft_context *context, const weft_image *image, uint64_t seed)
+{
+    weft_compare_options options = WEFT_COMPARE_OPTIONS_INIT;
+    weft_comparison comparison = WEFT_COMPARISON_INIT;
+    options.seed = seed;
+    const weft_status status = weft_compare(context, image, image, &options, NULL, NULL, &comparison);
+    if (status != WEFT_OK)
+        fuzz_check_error(status);
+    else
+        FUZZ_CHECK(comparison.histogram_distance == -1 || comparison.histogram_distance >= 0);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    static float pixels[most_side * most_side * 16 + 1];
+    weft_context *context = fuzz_context("scalar");
+    weft_texton_options options = WEFT_TEXTON_OPTIONS_INIT;
+    uint8_t shape[8];
+    fuzz_take(&bytes, &size, shape, sizeof shape);
+    fuzz_take(&bytes, &size, (char *)&options + sizeof options.size, sizeof options - sizeof options.size);
+    if (shape[7] & 1) options.iterations %= 16; /* more of them are slow, not new */
+    else options.iterations = 1;
+    const uint32_t width = 1 + shape[0] % most_side, height = 1 + shape[1] % most_side, channels = shape[2] % 18;
+    weft_image image = { pixels, 0, width, height, channels, shape[3] % 5 };
+    memset(pixels, 0, sizeof pixels);
+    memcpy(pixels, bytes, size < sizeof pixels ? size : sizeof pixels);
+
+    weft_model *model = NULL;
+    int left = shape[5] == 0 ? -1 : shape[5];
+    weft_status status;
+    if (shape[4] % 4 == 0)
+        status = weft_analyze_picture(context, &image, &model);
+    else
+        status = weft_analyze_texton(context, &image, &options, count_down, &left, &model);
+    if (status == WEFT_OK) {
+        fuzz_check_model(context, model);
+        weft_model_free(model);
+    } else {
+        fuzz_check_error(status);
+        FUZZ_CHECK(model == NULL);
+    }
+    if (shape[6] % 8 == 0) compare(context, &image, options.seed);
+    return 0;
+}

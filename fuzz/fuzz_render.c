@@ -1,0 +1,73 @@
+/* A model and a texture's options, both untrusted: what scalar renders and samples, simd gives bit for bit. The first 40
+ * bytes are options and position, the model file follows. */
+#include "fuzz.h"
+
+enum { side = 16, points = 8 };
+
+typedef struct request {
+    weft_texture_options options;
+    int64_t x, y;
+    uint32_t level;
+} request;
+
+static request take_request(const uint8_t **bytes, size_t *size)
+{
+    request r = { WEFT_TEXTURE_OPTIONS_INIT, 0, 0, 0 };
+    uint32_t small;
+    fuzz_take(bytes, size, &r.options.seed, 8);
+    fuzz_take(bytes, size, &r.x, 8);
+    fuzz_take(bytes, size, &r.y, 8);
+    fuzz_take(bytes, size, &r.options.period_x, 4);
+    fuzz_take(bytes, size, &r.options.period_y, 4);
+    fuzz_take(bytes, size, &r.options.impacts, 4);
+    fuzz_take(bytes, size, &small, 4);
+    r.level = small % 33;
+    return r;
+}
+
+/* 0, or the pixels and points of the texture on a device; at most `channels` of each. */
+static weft_status evaluate(const char *device, const weft_model *model, const request *r, uint32_t channels, float *out)
+{
+    weft_texture *texture = NULL;
+    weft_status status = weft_texture_create(fuzz_context(device), model, &r->options, &texture);
+    if (status != WEFT_OK) return status;
+    weft_image image = { out, 0, side, side, channels, WEFT_FORMAT_F32 };
+    status = weft_texture_render(texture, r->x, r->y, r->level, NULL, NULL, &image);
+    if (status == WEFT_OK) {
+        weft_point point[points];
+        for (int i = 0; i < points; ++i) {
+            const float footprint = (float)(i * i) * 0.75f;
+            point[i].x = (double)(r->x % 100000) + i * 1.37;
+            point[i].y = (double)(r->y % 100000) - i * 0.61;
+            point[i].dx[0] = footprint;
+            point[i].dx[1] = (float)i * 0.25f;
+            point[i].dy[0] = -0.5f * (float)(i & 1);
+            point[i].dy[1] = footprint * 0.125f;
+        }
+        status = weft_texture_sample(texture, points, point, out + (size_t)side * side * channels);
+    }
+    weft_texture_free(texture);
+    return status;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    static float reference[(side * side + points) * 16], other[(side * side + points) * 16];
+    const request r = take_request(&bytes, &size);
+    weft_model *model = NULL;
+    if (weft_model_load(fuzz_context("scalar"), bytes, size, &model) != WEFT_OK) return 0;
+    weft_model_info info = WEFT_MODEL_INFO_INIT;
+    FUZZ_CHECK(weft_model_get(model, &info) == WEFT_OK);
+    /* More impacts than this are slow, not new. */
+    if (!(r.options.impacts > 100)) {
+        const weft_status status = evaluate("scalar", model, &r, info.channels, reference);
+        const weft_status same = evaluate("simd", model, &r, info.channels, other);
+        FUZZ_CHECK(status == same);
+        if (status == WEFT_OK)
+            FUZZ_CHECK(memcmp(reference, other, (size_t)(side * side + points) * info.channels * sizeof(float)) == 0);
+        else
+            fuzz_check_error(status);
+    }
+    weft_model_free(model);
+    return 0;
+}
