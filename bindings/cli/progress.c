@@ -19,16 +19,23 @@ static void on_signal(int number)
     stop = 1;
 }
 
-void progress_listen(void)
+/* What was ignored when the program began stays ignored, as nohup and shells mean it. */
+static void listen_to(int number)
 {
     struct sigaction action;
+    if (sigaction(number, NULL, &action) != 0 || action.sa_handler == SIG_IGN) return;
     memset(&action, 0, sizeof action);
     action.sa_handler = on_signal;
     action.sa_flags = (int)SA_RESETHAND; /* and no SA_RESTART: a read from a pipe ends too */
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
+    sigaction(number, &action, NULL);
+}
+
+void progress_listen(void)
+{
+    listen_to(SIGINT);
+    listen_to(SIGTERM);
+    listen_to(SIGHUP);
 }
 
 int interrupted(void) { return stop != 0; }
