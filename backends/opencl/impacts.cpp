@@ -7,16 +7,28 @@ namespace weft::opencl {
 
 namespace {
 
-constexpr weft_i32 rows = WEFT_BLOCK_ROWS, columns = WEFT_BLOCK_COLUMNS;
-
-/// The bands, first to last, of which some row lies between two texel rows, at least one of them of the texton.
+/// The bands, first to last, that see a texton of `height` rows of which row `row` is under the window's first row.
 struct Reached {
+    Reached(weft_i32 row, weft_i32 height, weft_i32 band_count, weft_i32 rows, weft_i32 taps)
+        : first(std::max(0, 1 - taps - row) / rows), last(std::min(band_count - 1, (height - 1 - row) / rows))
+    {}
     weft_i32 first, last;
 };
 
-Reached reached(weft_i32 row, weft_i32 texton_height, weft_i32 band_count)
+void set_weights(float* weights, weft_taps x, weft_taps y, float sign, weft_u32 taps)
 {
-    return {row < 0 ? (-1 - row) / rows : 0, std::min(band_count - 1, (texton_height - 1 - row) / rows)};
+    if (taps == 1) {
+        weights[0] = sign;
+    } else if (taps == 2) {
+        const weft_weights2 w = weft_linear(x.t, y.t, sign);
+        weights[0] = w.w0;
+        weights[1] = w.w1;
+        weights[2] = w.rho;
+    } else {
+        const weft_weights wx = weft_spline(x.t, taps), wy = weft_spline(y.t, taps);
+        for (weft_u32 i = 0; i < taps; ++i) weights[i] = wx.w[i] * sign;
+        std::copy(wy.w, wy.w + taps, weights + taps);
+    }
 }
 
 } // namespace
@@ -35,8 +47,9 @@ void Impacts::collect(const LayerLayout& layer, const LevelLayout& level, const 
 {
     const weft_i64 unit = weft_i64{1} << window.level;
     const weft_i64 x = window.x * unit + unit / 2, y = window.y * unit + unit / 2;
-    // One column more: the second accumulator of the last pixel is that of its right neighbour.
-    const weft_i64 end_x = level.after_x + window.width * unit, end_y = level.after_y + (window.height - 1) * unit;
+    // More columns: the accumulator of tap i of a pixel is that of its i-th neighbour.
+    const weft_i64 end_x = level.after_x + (window.width + layer.taps - 2) * unit;
+    const weft_i64 end_y = level.after_y + (window.height - 1) * unit;
     Cells cells{layer, level, counts, window, {}, {}, 0};
     reaching_.clear();
     for (cells.x = walk_from(x, level.before_x, layer.period_x, layer.cell_log2); cells.x.start <= end_x;
@@ -48,12 +61,14 @@ void Impacts::collect(const LayerLayout& layer, const LevelLayout& level, const 
             draw(cells);
         }
     }
-    deal(level, window.height);
+    deal(layer, level, window.height);
 }
 
 void Impacts::draw(const Cells& cells)
 {
     const weft_window& window = cells.window;
+    const weft_u32 taps = cells.layer.taps;
+    const auto reach = static_cast<weft_i32>(taps) - 1;
     const weft_i32 centre = window.level == 0 ? WEFT_FRACTION_HALF : 0;
     const weft_u32 probability = weft_high(weft_draw(cells.key, 0));
     for (weft_u32 i = 0; i < cells.layer.count_limit && cells.counts[i] <= probability; ++i) {
@@ -61,35 +76,41 @@ void Impacts::draw(const Cells& cells)
         const weft_impact_axis x = weft_impact_at(weft_low(z), cells.layer.cell_log2);
         const weft_impact_axis y = weft_impact_at(weft_high(z), cells.layer.cell_log2);
         if (x.pixel >= cells.x.size || y.pixel >= cells.y.size) continue;
-        const weft_taps tx = weft_taps_at(weft_distance(-weft_i64{cells.x.start + x.pixel}, centre, x.fraction, window.level), 2);
-        const weft_taps ty = weft_taps_at(weft_distance(-weft_i64{cells.y.start + y.pixel}, centre, y.fraction, window.level), 2);
+        const weft_taps tx = weft_taps_at(weft_distance(-weft_i64{cells.x.start + x.pixel}, centre, x.fraction, window.level), taps);
+        const weft_taps ty = weft_taps_at(weft_distance(-weft_i64{cells.y.start + y.pixel}, centre, y.fraction, window.level), taps);
         const auto column = static_cast<weft_i32>(tx.first - cells.level.x), row = static_cast<weft_i32>(ty.first - cells.level.y);
         const auto width = static_cast<weft_i32>(window.width), height = static_cast<weft_i32>(window.height);
-        if (column >= static_cast<weft_i32>(cells.level.width) || column + width < -1) continue;
-        if (row >= static_cast<weft_i32>(cells.level.height) || row + height < 0) continue;
-        const weft_weights2 w = weft_linear(tx.t, ty.t, weft_impact_sign(z, cells.layer.signs));
-        reaching_.push_back({column, row, w.w0, w.w1, w.rho});
+        if (column >= static_cast<weft_i32>(cells.level.width) || column + width - 1 + reach < 0) continue;
+        if (row >= static_cast<weft_i32>(cells.level.height) || row + height - 1 + reach < 0) continue;
+        Reaching& impact = reaching_.emplace_back();
+        impact.column = column;
+        impact.row = row;
+        set_weights(impact.weights, tx, ty, weft_impact_sign(z, cells.layer.signs), taps);
     }
 }
 
-void Impacts::deal(const LevelLayout& level, std::uint32_t height)
+void Impacts::deal(const LayerLayout& layer, const LevelLayout& level, std::uint32_t height)
 {
-    const auto band_count = static_cast<weft_i32>((height + rows - 1) / rows);
+    const auto rows = static_cast<weft_i32>(WEFT_BLOCK_ROWS(layer.taps)), taps = static_cast<weft_i32>(layer.taps);
+    const auto band_count = (static_cast<weft_i32>(height) + rows - 1) / rows;
     const auto texton_height = static_cast<weft_i32>(level.height), stride = static_cast<weft_i32>(level.stride);
     bands_.assign(static_cast<std::size_t>(band_count) + 2, 0);
-    for (const ImpactLayout& impact : reaching_) {
-        const Reached to = reached(impact.row, texton_height, band_count);
+    for (const Reaching& impact : reaching_) {
+        const Reached to(impact.row, texton_height, band_count, rows, taps);
         for (weft_i32 band = to.first; band <= to.last; ++band) ++bands_[static_cast<std::size_t>(band) + 2];
     }
     for (std::size_t i = 2; i < bands_.size(); ++i) bands_[i] += bands_[i - 1];
-    list_.resize(bands_.back());
+    const std::size_t count = WEFT_BLOCK_WEIGHTS(layer.taps);
+    places_.resize(bands_.back());
+    weights_.resize(bands_.back() * count);
     // bands_[b + 1] walks from the beginning of band b to its end, which is the beginning of the next.
-    for (const ImpactLayout& impact : reaching_) {
-        const Reached to = reached(impact.row, texton_height, band_count);
+    for (const Reaching& impact : reaching_) {
+        const Reached to(impact.row, texton_height, band_count, rows, taps);
         for (weft_i32 band = to.first; band <= to.last; ++band) {
-            ImpactLayout& entry = list_[bands_[static_cast<std::size_t>(band) + 1]++];
-            entry = impact;
-            entry.row = (impact.row + (band + 1) * rows) * stride + columns;
+            const std::size_t entry = bands_[static_cast<std::size_t>(band) + 1]++;
+            const auto row = impact.row + band * rows + static_cast<weft_i32>(level.frame_y);
+            places_[entry] = {impact.column, row * stride + static_cast<weft_i32>(level.frame_x)};
+            std::copy(impact.weights, impact.weights + count, weights_.data() + entry * count);
         }
     }
 }

@@ -6,11 +6,15 @@
 
 #define WEFT_NONE 0xffffffffu
 
-/* A block of splat_bands: as many columns as a vector holds, and as many rows as leave 12 of 16 registers to the sums. */
+/* A block of splat_bands: as many columns as a vector holds, and as many rows as let the sums of a number of taps stay in 16
+ * registers, beside weights and texels. */
 #define WEFT_BLOCK_COLUMNS 8
-#define WEFT_BLOCK_ROWS 6
+#define WEFT_BLOCK_ROWS(taps) ((taps) == 1 ? 8 : (taps) == 2 ? 5 : (taps) == 4 ? 2 : 1)
 
-#define WEFT_SAMPLES 16 /* that one work-item of layer_sum finishes: a window's stride is a multiple of it */
+/* Numbers per impact: 1: sign; 2: w0, w1, rho; otherwise those of x times the sign, then those of y. */
+#define WEFT_BLOCK_WEIGHTS(taps) ((taps) == 1 ? 1 : (taps) == 2 ? 3 : 2 * (taps))
+
+#define WEFT_SAMPLES 16 /* that layer_sum finishes at once: the field's stride is a multiple of it */
 
 /* How a layer's plane is computed. */
 #define WEFT_SPLAT_GATHER 1 /* sample by sample */
@@ -18,13 +22,15 @@
 #define WEFT_TILE_GATHER 3
 
 /* One level of a mip chain. Gathered texels are float4: (image, group of four planes, row, column), framed by taps - 1
- * zeros if splatted; those of splat_bands are float: (plane, row, column), framed by a block's size of zeros. */
+ * zeros if splatted; those of splat_bands are float: (plane, row, column), with a block's width of zeros between rows and what
+ * a block and its taps may reach above and below. */
 typedef struct LevelLayout {
     weft_u32 offset;      /* of the first texel in the texels' buffer, in units of 4 floats */
     weft_u32 stride;      /* texels from one row to the next */
     weft_u32 plane_step;  /* from one group (bands: plane) to the next */
     weft_u32 image_step;
     weft_u32 width, height; /* without the frame */
+    weft_u32 frame_x, frame_y; /* texels before the first */
     weft_i32 x, y;        /* SPLAT: index of the first texel without the frame */
     weft_i32 before_x, after_x, before_y, after_y; /* SPLAT: impacts this many pixels before or after a sample reach it */
     float scale_x, scale_y; /* TILE */
@@ -58,11 +64,10 @@ typedef struct LayerLayout {
     weft_u32 zero;
 } LayerLayout;
 
-/* An impact as a band sees it. */
+/* An impact as a band sees it; its weights are in a list of their own. */
 typedef struct ImpactLayout {
     weft_i32 column; /* texel under the window's first pixel */
-    weft_i32 row;    /* start of the framed row of texels under the band's first row */
-    float w0, w1, rho;
+    weft_i32 row;    /* start of the framed row of texels under the band's first row, frame on the left left out */
 } ImpactLayout;
 
 /* Where samples are: spots, or the pixels of a window. */
@@ -74,7 +79,14 @@ typedef struct SamplesLayout {
     weft_u32 height;
     weft_u32 stride; /* of the field, a multiple of WEFT_SAMPLES */
     weft_u32 pitch;  /* of the field: from one plane to the next */
+    weft_u32 span;   /* samples that a work-item of layer_sum finishes, a multiple of WEFT_SAMPLES */
 } SamplesLayout;
+
+/* Where the result goes: floats from one sample, row, channel to the next. */
+typedef struct ResultLayout {
+    weft_u32 sample, row;
+    weft_u64 channel;
+} ResultLayout;
 
 /* weft_spot. */
 typedef struct SpotLayout {
@@ -89,7 +101,8 @@ typedef struct SumsLayout {
     weft_u32 step;    /* from one accumulator to the next */
     weft_u32 blocks;  /* of a row */
     weft_u32 segment; /* blocks of one work-item */
-    weft_u32 level;
+    weft_u32 level;   /* of the window */
+    weft_u32 index;   /* of that level in the list of levels */
     weft_i32 jitter;  /* by how many columns the order of impacts may deviate from that of their columns */
 } SumsLayout;
 

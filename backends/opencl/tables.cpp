@@ -62,7 +62,7 @@ void Tables::add_layer(const weft_layer& layer, bool bands)
     to.choice_layer = to.mask_slot = to.tones = WEFT_NONE;
     if (layer.kind == WEFT_LAYER_SPLAT) {
         to.key = weft_key(program.seed, layer.stream, WEFT_TAG_IMPACTS);
-        to.form = bands && layer.splat->taps == 2 && layer.splat->choice.layer < 0 ? WEFT_SPLAT_BANDS : WEFT_SPLAT_GATHER;
+        to.form = bands && layer.splat->choice.layer < 0 ? WEFT_SPLAT_BANDS : WEFT_SPLAT_GATHER;
         add_splat(*layer.splat, to);
     } else {
         to.form = WEFT_TILE_GATHER;
@@ -102,7 +102,7 @@ void Tables::add_levels(const weft_mips& mips, LayerLayout& to)
 {
     const bool bands = to.form == WEFT_SPLAT_BANDS;
     const std::uint32_t frame = to.form == WEFT_SPLAT_GATHER ? to.taps - 1 : 0;
-    const std::uint32_t frame_x = bands ? WEFT_BLOCK_COLUMNS : frame, frame_y = bands ? WEFT_BLOCK_ROWS : frame;
+    const std::uint32_t frame_y = bands ? WEFT_BLOCK_ROWS(to.taps) + to.taps - 2 : frame;
     to.first_level = static_cast<weft_u32>(levels.size());
     to.levels = mips.levels;
     for (std::uint32_t i = 0; i < mips.levels; ++i) {
@@ -115,8 +115,10 @@ void Tables::add_levels(const weft_mips& mips, LayerLayout& to)
         level.y = mip.y;
         level.scale_x = mip.scale_x;
         level.scale_y = mip.scale_y;
-        level.stride = mip.width + 2 * frame_x;
-        level.plane_step = level.stride * (mip.height + 2 * frame_y);
+        level.stride = mip.width + (bands ? WEFT_BLOCK_COLUMNS : 2 * frame);
+        level.frame_y = frame_y;
+        level.frame_x = bands ? WEFT_BLOCK_COLUMNS : frame;
+        level.plane_step = level.stride * (mip.height + 2 * frame_y) + (bands ? WEFT_BLOCK_COLUMNS : 0);
         if (bands) {
             texel_count += (std::uint64_t{to.planes} * level.plane_step + 3) / 4;
         } else {
@@ -168,7 +170,7 @@ void Tables::assign_slots()
     }
     std::uint32_t shared = 0;
     for (LayerLayout& layer : layers) {
-        if (layer.form == WEFT_SPLAT_BANDS) sums = std::max(sums, layer.planes);
+        if (layer.form == WEFT_SPLAT_BANDS) sums = std::max(sums, layer.planes * layer.taps);
         if (layer.kept) continue;
         layer.plane_slot = slots;
         if (layer.form != WEFT_SPLAT_BANDS) shared = std::max(shared, layer.planes);
@@ -186,13 +188,11 @@ void Tables::fill_texels(float* texels) const
         const std::uint32_t images = to.form == WEFT_SPLAT_BANDS ? 1 : mips.images;
         for (std::uint32_t l = 0; l < mips.levels; ++l) {
             const LevelLayout& level = levels[to.first_level + l];
-            const std::size_t frame_x = (level.stride - level.width) / 2;
-            const std::size_t frame_y = (level.plane_step / level.stride - level.height) / 2;
             const float* from = mips.level[l].data;
             for (std::uint32_t plane = 0; plane < images * to.planes; ++plane) {
                 const std::uint32_t image = plane / to.planes, p = plane % to.planes;
                 const std::size_t start = std::size_t{level.image_step} * image + std::size_t{level.plane_step} * (p / lanes) +
-                                          frame_y * level.stride + frame_x;
+                                          std::size_t{level.frame_y} * level.stride + level.frame_x;
                 float* row = texels + std::size_t{level.offset} * 4 + start * lanes + p % lanes;
                 for (std::uint32_t y = 0; y < level.height; ++y, row += std::size_t{level.stride} * lanes)
                     for (std::uint32_t x = 0; x < level.width; ++x) row[std::size_t{x} * lanes] = *from++;

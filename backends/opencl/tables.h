@@ -21,7 +21,7 @@ struct Tables {
     std::pmr::vector<float> numbers;
     std::uint64_t texel_count = 0; ///< in units of 4 floats
     std::uint32_t slots = 0;       ///< planes of the field
-    std::uint32_t sums = 0;        ///< most planes of a layer of bands
+    std::uint32_t sums = 0;        ///< most accumulators of a layer of bands
 
 private:
     void add_layer(const weft_layer& layer, bool bands);

@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t group_size = 64;           // of the gathering kernels
 constexpr std::uint32_t most_spots = 65536;      // of one step
+constexpr weft_u32 segment_blocks = 32;         // of one work-item of splat_bands
 constexpr std::uint64_t most_floats = 1u << 26;  // of a workspace's field, sums and result together
 constexpr std::uint64_t most_cells = 1u << 20;   // from which one list of impacts is drawn
 
@@ -72,7 +73,7 @@ Buffer Texture::upload(const void* data, std::size_t bytes)
 /// Would a window need too much memory for its planes, or for its list of impacts?
 bool Texture::too_large(const weft_window& window) const
 {
-    const std::uint64_t planes = tables_.slots + 2 * tables_.sums + tables_.program.channels;
+    const std::uint64_t planes = tables_.slots + tables_.sums + tables_.program.channels;
     if (std::uint64_t{padded_stride(window.width)} * window.height * planes > most_floats) return true;
     for (const LayerLayout& layer : tables_.layers) {
         if (layer.form != WEFT_SPLAT_BANDS || window.level >= layer.levels) continue;
@@ -91,7 +92,7 @@ void Texture::render(const weft_window& window)
     weft_u32 step_x = window.width, step_y = window.height;
     weft_window part = window;
     while (part.width = step_x, part.height = step_y, too_large(part)) {
-        if (step_y > 2 * WEFT_BLOCK_ROWS && step_y >= step_x / 4) step_y = round_up(step_y / 2, weft_u32{WEFT_BLOCK_ROWS});
+        if (step_y > 16 && step_y >= step_x / 4) step_y = (step_y + 1) / 2;
         else if (step_x > 4 * WEFT_SAMPLES) step_x = padded_stride(step_x / 2);
         else break;
     }
@@ -109,17 +110,33 @@ void Texture::render(const weft_window& window)
 
 void Texture::render_part(Workspace& work, const weft_window& part, std::size_t plane)
 {
-    const weft_u32 stride = padded_stride(part.width);
-    const SamplesLayout samples = {part.x, part.y, part.level, 0, part.width, part.height, stride, stride * part.height};
-    const weft_u32 channels = tables_.program.channels;
+    const weft_u32 stride = padded_stride(part.width), channels = tables_.program.channels;
+    const SamplesLayout samples = {part.x, part.y, part.level, 0, part.width, part.height, stride, stride * part.height,
+                                   device_.cpu ? stride : weft_u32{WEFT_SAMPLES}};
+    if (device_.cpu) return render_in_place(work, samples, part, plane);
     const cl_mem out = work.out.get(device_.context, std::size_t{samples.pitch} * channels * sizeof(float));
-    evaluate(work, samples, &part, out, 1, samples.pitch);
+    evaluate(work, samples, &part, out, {1, stride, samples.pitch});
     const std::size_t zero[3] = {0, 0, 0};
     const std::size_t region[3] = {part.width * sizeof(float), part.height, channels};
     check(clEnqueueReadBufferRect(work.queue.get(), out, CL_TRUE, zero, zero, region, stride * sizeof(float),
                                   samples.pitch * sizeof(float), part.stride * sizeof(float), plane * sizeof(float), part.data, 0,
                                   nullptr, nullptr),
           "clEnqueueReadBufferRect");
+}
+
+/// The device has the host's memory: no copy.
+void Texture::render_in_place(Workspace& work, const SamplesLayout& samples, const weft_window& part, std::size_t plane)
+{
+    const std::size_t floats =
+        (tables_.program.channels - 1) * plane + std::size_t{part.height - 1} * part.stride + part.width;
+    cl_int code = CL_SUCCESS;
+    const Buffer out(clCreateBuffer(device_.context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, floats * sizeof(float), part.data, &code));
+    check(code, "clCreateBuffer");
+    evaluate(work, samples, &part, out.get(), {1, part.stride, plane});
+    void* mapped = clEnqueueMapBuffer(work.queue.get(), out.get(), CL_TRUE, CL_MAP_READ, 0, floats * sizeof(float), 0, nullptr, nullptr, &code);
+    check(code, "clEnqueueMapBuffer");
+    check(clEnqueueUnmapMemObject(work.queue.get(), out.get(), mapped, 0, nullptr, nullptr), "clEnqueueUnmapMemObject");
+    check(clFinish(work.queue.get()), "clFinish");
 }
 
 void Texture::sample(const weft_batch& batch)
@@ -134,18 +151,18 @@ void Texture::sample_part(Workspace& work, const weft_spot* spots, std::uint32_t
 {
     static_assert(sizeof(weft_spot) == sizeof(SpotLayout));
     const weft_u32 stride = padded_stride(count), channels = tables_.program.channels;
-    const SamplesLayout samples = {0, 0, 0, 1, count, 1, stride, stride};
+    const SamplesLayout samples = {0, 0, 0, 1, count, 1, stride, stride,
+                                   (device_.cpu ? 16u : 1u) * WEFT_SAMPLES};
     const cl_mem buffer = work.spots.get(device_.context, count * sizeof *spots);
     check(clEnqueueWriteBuffer(work.queue.get(), buffer, CL_FALSE, 0, count * sizeof *spots, spots, 0, nullptr, nullptr),
           "clEnqueueWriteBuffer");
-    const cl_mem result = work.out.get(device_.context, std::size_t{stride} * channels * sizeof(float));
-    evaluate(work, samples, nullptr, result, channels, 1);
+    const cl_mem result = work.out.get(device_.context, std::size_t{count} * channels * sizeof(float));
+    evaluate(work, samples, nullptr, result, {channels, 0, 1});
     check(clEnqueueReadBuffer(work.queue.get(), result, CL_TRUE, 0, std::size_t{count} * channels * sizeof(float), out, 0, nullptr, nullptr),
           "clEnqueueReadBuffer");
 }
 
-void Texture::evaluate(Workspace& work, const SamplesLayout& samples, const weft_window* window, cl_mem out, weft_u32 out_step,
-                       weft_u32 out_pitch)
+void Texture::evaluate(Workspace& work, const SamplesLayout& samples, const weft_window* window, cl_mem out, const ResultLayout& result)
 {
     const cl_mem layers = layers_.get(), levels = levels_.get(), words = words_.get(), numbers = numbers_.get(), texels = texels_.get();
     const cl_mem spots = work.spots.get(device_.context, sizeof(SpotLayout));
@@ -155,49 +172,51 @@ void Texture::evaluate(Workspace& work, const SamplesLayout& samples, const weft
         const LayerLayout& layer = tables_.layers[i];
         const std::size_t global[3] = {round_up(std::size_t{samples.width}, group_size), samples.height, (layer.planes + 3) / 4};
         SumsLayout blocks = {};
-        if (layer.form == WEFT_SPLAT_BANDS) {
-            blocks = splat_bands(work, i, *window);
-        } else if (layer.form == WEFT_SPLAT_GATHER) {
+        if (layer.form == WEFT_SPLAT_BANDS)
+            blocks = splat_bands(work, layer, *window);
+        else if (layer.form == WEFT_SPLAT_GATHER)
             work.splat_gather.enqueue(work.queue.get(), global, group_size, layers, levels, texels, spots, field, samples, i, words, numbers);
-        } else {
+        else
             work.tile_gather.enqueue(work.queue.get(), global, group_size, layers, levels, texels, spots, field, samples, i);
-        }
         const cl_mem sums = work.sums.get(device_.context, sizeof(float));
-        work.layer_sum.enqueue(work.queue.get(), {samples.stride / WEFT_SAMPLES, samples.height, 1}, 1, layers, words, numbers, field,
-                               sums, out, samples, blocks, i, out_step, out_pitch);
+        const std::size_t spans[3] = {(samples.width + samples.span - 1) / samples.span, samples.height, 1};
+        work.layer_sum.enqueue(work.queue.get(), spans, 1, layers, words, numbers, field, sums, out, samples, blocks, result, i);
     }
 }
 
-SumsLayout Texture::splat_bands(Workspace& work, weft_u32 index, const weft_window& window)
+cl_mem Texture::send(Workspace& work, Scratch& scratch, const void* data, std::size_t bytes)
 {
-    const LayerLayout& layer = tables_.layers[index];
+    const cl_mem buffer = scratch.get(device_.context, std::max<std::size_t>(bytes, 1));
+    // Blocking, and the queue is in order: after it the data may be made anew, for the next layer.
+    if (bytes != 0)
+        check(clEnqueueWriteBuffer(work.queue.get(), buffer, CL_TRUE, 0, bytes, data, 0, nullptr, nullptr), "clEnqueueWriteBuffer");
+    return buffer;
+}
+
+SumsLayout Texture::splat_bands(Workspace& work, const LayerLayout& layer, const weft_window& window)
+{
     SumsLayout blocks = {};
     blocks.level = window.level;
     if (window.level >= layer.levels) return blocks; // layer_sum takes f = 0
-    const LevelLayout& level = tables_.levels[layer.first_level + window.level];
-    work.lists.collect(layer, level, tables_.words.data() + layer.counts, window);
-    const auto& list = work.lists.list();
-    const auto& bands = work.lists.bands();
-    const auto band_count = static_cast<weft_u32>(bands.size() - 2);
-    const cl_mem impacts = work.impacts.get(device_.context, std::max<std::size_t>(list.size(), 1) * sizeof(ImpactLayout));
-    const cl_mem begins = work.bands.get(device_.context, bands.size() * sizeof(weft_u32));
-    if (!list.empty())
-        check(clEnqueueWriteBuffer(work.queue.get(), impacts, CL_FALSE, 0, list.size() * sizeof(ImpactLayout), list.data(), 0, nullptr,
-                                   nullptr),
-              "clEnqueueWriteBuffer");
-    // Blocking, and the queue is in order: after it the lists may be made anew, for the next layer.
-    check(clEnqueueWriteBuffer(work.queue.get(), begins, CL_TRUE, 0, bands.size() * sizeof(weft_u32), bands.data(), 0, nullptr, nullptr),
-          "clEnqueueWriteBuffer");
+    blocks.index = layer.first_level + window.level;
+    work.impacts.collect(layer, tables_.levels[blocks.index], tables_.words.data() + layer.counts, window);
+    const auto &places = work.impacts.places();
+    const auto &weights = work.impacts.weights();
+    const auto &begins = work.impacts.bands();
+    const cl_mem impacts = send(work, work.places, places.data(), places.size() * sizeof places[0]);
+    const cl_mem factors = send(work, work.weights, weights.data(), weights.size() * sizeof weights[0]);
+    const cl_mem bands = send(work, work.bands, begins.data(), begins.size() * sizeof begins[0]);
+    const std::size_t band_count = begins.size() - 2;
     blocks.blocks = padded_stride(window.width) / WEFT_BLOCK_COLUMNS + 1;
     blocks.stride = blocks.blocks * WEFT_BLOCK_COLUMNS;
-    blocks.segment = std::min(blocks.blocks, weft_u32{32});
-    blocks.step = blocks.stride * band_count * WEFT_BLOCK_ROWS;
+    blocks.segment = std::min(blocks.blocks, segment_blocks);
+    blocks.step = blocks.stride * static_cast<weft_u32>(band_count) * WEFT_BLOCK_ROWS(layer.taps);
     blocks.jitter = static_cast<weft_i32>((1u << layer.cell_log2) >> window.level) + 2;
-    const cl_mem sums = work.sums.get(device_.context, std::size_t{tables_.sums} * 2 * blocks.step * sizeof(float));
-    const cl_mem layers = layers_.get(), levels = levels_.get(), texels = texels_.get();
+    const cl_mem sums = work.sums.get(device_.context, std::size_t{tables_.sums} * blocks.step * sizeof(float));
+    const cl_mem levels = levels_.get(), texels = texels_.get();
     const std::size_t segments = (blocks.blocks + blocks.segment - 1) / blocks.segment;
-    work.splat_bands.enqueue(work.queue.get(), {segments, band_count, layer.planes}, 1, layers, levels, texels, impacts, begins, sums,
-                             blocks, index);
+    work.splat_bands[layer.taps / 2].enqueue(work.queue.get(), {segments, band_count, layer.planes}, 1, levels, texels, impacts, factors,
+                                             bands, sums, blocks);
     return blocks;
 }
 

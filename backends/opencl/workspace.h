@@ -17,7 +17,7 @@ private:
     std::size_t bytes_ = 0;
 };
 
-/// A kernel of the device's program.
+/// A kernel of the device's program; its arguments are one thread's at a time.
 class Task {
 public:
     Task(cl_program program, const char* name);
@@ -40,9 +40,10 @@ struct Workspace {
     Workspace(const Device& device, std::pmr::memory_resource* memory);
 
     Queue queue;
-    Task splat_gather, splat_bands, tile_gather, layer_sum;
-    Scratch field, sums, impacts, bands, spots, out;
-    Impacts lists;
+    Task splat_gather, tile_gather, layer_sum;
+    Task splat_bands[4]; ///< of 1, 2, 4 and 6 taps
+    Scratch field, sums, places, weights, bands, spots, out;
+    Impacts impacts;
 };
 
 } // namespace weft::opencl
