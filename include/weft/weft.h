@@ -164,16 +164,17 @@ enum {
 
 typedef int32_t weft_projection;
 enum {
-  WEFT_PROJECTION_DEFAULT  = 0, /* accelerated */
+  WEFT_PROJECTION_DEFAULT  = 0,
   WEFT_PROJECTION_PLAIN    = 1, /* alternating projections as Algorithm 1 of the paper has them */
-  WEFT_PROJECTION_MOMENTUM = 2  /* the same two projections, each from a point beyond the last (Nesterov 1983) */
+  WEFT_PROJECTION_MOMENTUM = 2  /* the default: in the model error's own norm, from points beyond the last (Nesterov 1983),
+                                  weak frequencies eased in */
 };
 
 /* Texton noise: Galerne, Leclaire, Moisan, "Texton Noise", Computer Graphics Forum 2017. */
 typedef struct weft_texton_options {
   uint32_t           size;
   uint32_t           support;       /* edge of the texton in coefficients, 1..the photo's shorter side; 0: 64, or that side */
-  uint32_t           iterations;    /* of the projections; 0: chosen by measurement, see README */
+  uint32_t           iterations;    /* of the projections, up to 100000; 0: 100, and 50 for PLAIN as the paper has it */
   weft_interpolation interpolation; /* how the texton's coefficients are interpolated */
   weft_projection    projection;
   uint32_t           zero;
@@ -282,7 +283,7 @@ WEFT_API void weft_texture_free(weft_texture *texture) WEFT_NOEXCEPT;
 /* Texture analysis ------------------------------------------------------------------------------------------- */
 
 /* Power spectrum, channel by channel: the mean squared modulus of the DFT of Hann-windowed segments of spectrum's width
- * and height at half overlap (Welch 1967), mean removed, scaled so that its sum over all frequencies is the variance.
+ * and height at half overlap or a little more (Welch 1967), mean removed, scaled so that its sum over all frequencies is the variance.
  * `spectrum` is F32, has the image's channels, and is not larger than it; frequency 0 is at (width / 2, height / 2). */
 WEFT_API weft_status weft_power_spectrum(weft_context *context, const weft_image *image, const weft_image *spectrum) WEFT_NOEXCEPT;
 

@@ -5,6 +5,12 @@
 
 namespace weft {
 
+namespace {
+
+struct ChannelStatistics {
+    double mean = 0, deviation = 0; ///< a constant channel's: its value, exactly, and 0
+};
+
 ChannelStatistics channel_statistics(Core& core, const float* plane, std::uint32_t width, std::uint32_t height)
 {
     struct Row {
@@ -32,6 +38,30 @@ ChannelStatistics channel_statistics(Core& core, const float* plane, std::uint32
     if (all.least == all.most) return {origin, 0};
     const double pixels = static_cast<double>(width) * height, mean = all.sum / pixels;
     return {origin + mean, std::sqrt(std::max(all.squares / pixels - mean * mean, 0.0))};
+}
+
+} // namespace
+
+Centring centre(Core& core, Planes& planes)
+{
+    Centring centring;
+    double largest = 0;
+    for (std::uint32_t c = 0; c < planes.count; ++c) {
+        const ChannelStatistics channel = channel_statistics(core, planes.plane(c), planes.width, planes.height);
+        centring.mean[c] = channel.mean;
+        centring.deviation[c] = channel.deviation;
+        largest = std::max(largest, channel.deviation);
+    }
+    if (largest > 0) centring.scale = std::ldexp(1.0, -std::ilogb(largest));
+    for_each_run(core.parallel, planes.count * planes.height, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t i = first; i < last; ++i) { // row i % height of channel i / height
+            float* row = planes.values.data() + std::size_t{i} * planes.width;
+            const double mean = centring.mean[i / planes.height], scale = centring.deviation[i / planes.height] > 0 ? centring.scale : 0;
+            for (std::uint32_t x = 0; x < planes.width; ++x)
+                row[x] = static_cast<float>((static_cast<double>(row[x]) - mean) * scale);
+        }
+    });
+    return centring;
 }
 
 Matrix sum_of(const Array<Matrix>& parts, std::uint32_t size) noexcept

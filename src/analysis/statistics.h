@@ -5,10 +5,12 @@
 
 namespace weft {
 
-struct ChannelStatistics {
-    double mean = 0, deviation = 0; ///< a constant channel's: its value, exactly, and 0
+/// How planes were centred: values <- (values - mean) * scale, a constant channel exactly 0.
+struct Centring {
+    double mean[most_channels] = {}, deviation[most_channels] = {};
+    double scale = 1; ///< a power of two that brings the largest deviation to 1..2, far from float's limits
 };
-ChannelStatistics channel_statistics(Core& core, const float* plane, std::uint32_t width, std::uint32_t height);
+Centring centre(Core& core, Planes& planes);
 
 /// One block's share in the sum over all frequencies of weight(lane, y) times real(v v*), v the channels' values in `block`,
 /// which is laid out as block `b` of `spectra`.

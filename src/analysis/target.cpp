@@ -1,33 +1,10 @@
 /// Photo -> target: centred, transformed, made periodic, weighted.
 #include "analysis/target.h"
 #include "analysis/periodic.h"
-#include "analysis/statistics.h"
 #include <cmath>
 
 namespace weft {
 namespace {
-
-/// Means into the target; planes <- (planes - mean) * scale.
-void centre(Core& core, Planes& planes, Target& target)
-{
-    double deviation = 0;
-    std::array<bool, most_channels> constant{};
-    for (std::uint32_t c = 0; c < planes.count; ++c) {
-        const ChannelStatistics channel = channel_statistics(core, planes.plane(c), planes.width, planes.height);
-        target.mean[c] = channel.mean;
-        constant[c] = channel.deviation == 0;
-        deviation = std::max(deviation, channel.deviation);
-    }
-    if (deviation > 0) target.scale = std::ldexp(1.0, -std::ilogb(deviation));
-    for_each_run(core.parallel, planes.count * planes.height, [&](std::uint32_t first, std::uint32_t last) {
-        for (std::uint32_t i = first; i < last; ++i) {
-            float* row = planes.values.data() + std::size_t{i} * planes.width;
-            const std::uint32_t c = i / planes.height;
-            for (std::uint32_t x = 0; x < planes.width; ++x)
-                row[x] = constant[c] ? 0.0f : static_cast<float>((static_cast<double>(row[x]) - target.mean[c]) * target.scale);
-        }
-    });
-}
 
 /// From the DFT of the periodic component to T, gathering the covariance of t on the way.
 void weigh(Core& core, Target& target, const SplineSamples& samples)
@@ -65,7 +42,7 @@ double Target::power() const noexcept
 Target make_target(Core& core, Planes planes, const SplineSamples& samples, const Progress& progress)
 {
     Target target;
-    centre(core, planes, target);
+    target.centring = centre(core, planes);
     target.spectra = Spectra(&core.memory, planes.width, planes.height, planes.count);
     const PlaneTransform transform(core, planes.width, planes.height);
     for (std::uint32_t c = 0; c < planes.count; ++c) {

@@ -134,7 +134,7 @@ Texton learn(Core& core, const Target& target, const SplineSamples& samples, con
     multiply(core, correction, coefficients);
     progress.at(0.97);
     texton.model_error = static_cast<float>(model_error(projection, target, coefficients));
-    for (float& value : coefficients.values) value = static_cast<float>(static_cast<double>(value) / target.scale);
+    for (float& value : coefficients.values) value = static_cast<float>(static_cast<double>(value) / target.centring.scale);
     return texton;
 }
 
@@ -142,7 +142,6 @@ Texton learn(Core& core, const Target& target, const SplineSamples& samples, con
 
 Model analyze_texton(Core& core, const weft_image& photo, const weft_texton_options& options, const Progress& progress)
 {
-    check_image(&photo, function, "photo");
     const Choices choices = choose(photo, options);
     progress.at(0);
     const SplineSamples samples = spline_samples(choices.taps);
@@ -150,7 +149,7 @@ Model analyze_texton(Core& core, const weft_image& photo, const weft_texton_opti
     Model model;
     model.method = WEFT_METHOD_TEXTON;
     model.channels = photo.channels;
-    for (std::uint32_t c = 0; c < photo.channels; ++c) model.mean[c] = static_cast<float>(target.mean[c]);
+    for (std::uint32_t c = 0; c < photo.channels; ++c) model.mean[c] = static_cast<float>(target.centring.mean[c]);
     model.texton = learn(core, target, samples, choices, progress.part(0.1, 0.99));
     check_model(model);
     progress.at(1);
