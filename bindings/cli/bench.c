@@ -18,7 +18,7 @@ static const char notes[] =
     "  of peak    channels * 3 * impacts multiply-adds per pixel, of what the machine does in registers\n"
     "  by CPU     the same, both in processor time\n"
     "  of stores  bytes of the picture, of what the machine writes to memory\n"
-    "  x gather   against the paper's shader, which draws the points anew for every pixel; on 64 rows of the window\n"
+    "  x gather   against the paper's shader, which draws the points anew for every pixel; on 32 rows of the window\n"
     "Points are incoherent, in a square of 4096 pixels, without filtering; fewer than a million where that takes long.";
 
 int command_bench(int count, char** words)

@@ -4,8 +4,8 @@
 #include "report.h"
 #include "threads.h"
 
-enum { YARDSTICK_ROWS = 64 };
-static const uint64_t multiply_add_rounds = 10000000;
+enum { YARDSTICK_ROWS = 32 };
+static const uint64_t multiply_add_rounds = 4000000;
 static const size_t store_bytes = BENCH_STORE_BYTES;
 
 /* Makes sure that what is computed is needed by someone. */

@@ -2,17 +2,19 @@
 #ifndef WEFT_CLI_MEASURE_H
 #define WEFT_CLI_MEASURE_H
 
-enum { MOST_REPETITIONS = 100 };
+enum { MOST_REPETITIONS = 100, MOST_IN_A_ROW = 8 };
 
 typedef struct measurement {
     int (*run)(void* state); /* does the work once; an exit code */
     void* state;
     double amount; /* of work in one run: pixels, points, multiply-adds, bytes */
     int count;
-    double wall[MOST_REPETITIONS], processor[MOST_REPETITIONS]; /* seconds, in ascending order once measured */
+    double wall[MOST_REPETITIONS * MOST_IN_A_ROW],
+        processor[MOST_REPETITIONS * MOST_IN_A_ROW]; /* seconds, in ascending order once measured */
 } measurement;
 
-/* Runs each measurement once per repetition, in turns. Answers with an exit code. */
+/* Runs each measurement once per repetition, in turns, and what takes little time a few times in a row. Answers with an
+ * exit code. */
 int measure(measurement* const* list, int count, int repetitions);
 
 double best_rate(const measurement* m);      /* amount per second of the fastest run */
