@@ -74,9 +74,9 @@ weft_status device_open(const weft_host* host, std::uint32_t index, weft_device_
         weft::opencl::Memory memory(host);
         *device = make<weft_backend_device>(memory, weft_backend_device{host, &opened, memory});
         limits->concurrency = weft::opencl::concurrency;
-        // Some milliseconds on two cores; high, so that few impacts are dealt to two windows.
+        // Whole bands for every number of taps; some milliseconds on two cores.
         limits->window_width = 1024;
-        limits->window_height = 256;
+        limits->window_height = 120;
         limits->batch = 65536;
     });
 }

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t group_size = 64;           // of the gathering kernels
 constexpr std::uint32_t most_spots = 65536;      // of one step
 constexpr weft_u32 segment_blocks = 32;         // of one work-item of splat_bands
-constexpr std::uint64_t most_floats = 1u << 26;  // of a workspace's field, sums and result together
+constexpr std::uint64_t most_floats = 1u << 24;  // of a workspace's field, sums and result together
 constexpr std::uint64_t most_cells = 1u << 20;   // from which one list of impacts is drawn
 
 template <class Number> Number round_up(Number n, Number to) { return (n + to - 1) / to * to; }
