@@ -7,7 +7,7 @@ namespace weft {
 
 namespace {
 
-constexpr uint32_t block_width = 512, block_height = 120, strip_height = 30;
+constexpr uint32_t block_width = 512, block_height = 120; ///< a multiple of the height of any strip
 constexpr float most_impacts = 65536; ///< expected in a block, unless it cannot be made smaller
 
 uint32_t minimum(uint32_t a, uint32_t b) { return a < b ? a : b; }
@@ -85,6 +85,8 @@ private:
     bool begin();
     bool begin(const Block& block);
     void strip(uint32_t first, uint32_t count);
+    float* row(uint32_t channel, uint32_t y);
+    void clear(uint32_t first, uint32_t count);
     void evaluate(uint32_t index, uint32_t first, uint32_t count);
     const float* mask(uint32_t index, uint32_t count);
     void mix(const Layer& layer, const float* f, const float* mask, uint32_t first, uint32_t count);
@@ -95,11 +97,12 @@ private:
     Buffer<unsigned char> scratch_;
     Block largest_, block_{};
     uint32_t made_ = 0, stride_ = 0, left_ = 0, top_ = 0;
+    bool fresh_ = true; ///< nothing has been added to the strip yet
 };
 
 bool Painter::begin()
 {
-    const uint32_t rows = minimum(largest_.height, strip_height);
+    const uint32_t rows = minimum(largest_.height, texture_.rows->strip_height);
     stride_ = (largest_.width + 15) & ~uint32_t(15);
     if (!work_.reserve(layers())) return false;
     for (; made_ < layers(); ++made_) {
@@ -169,27 +172,37 @@ void Painter::mix(const Layer& layer, const float* f, const float* mask, uint32_
     const uint32_t channels = texture_.program->channels;
     for (uint32_t y = 0; y < count; ++y)
         for (uint32_t o = 0; o < channels; ++o) {
-            const Mixture mixture = {f + size_t(y) * stride_, stride_ * count, source.channels, block_.width,
+            const Mixture mixture = {fresh_, f + size_t(y) * stride_, stride_ * count, source.channels, block_.width,
                                      source.colour + size_t(o) * source.channels, source.mean[o],
                                      mask ? mask + size_t(y) * stride_ : nullptr};
-            const size_t row = size_t(o) * window_.height + top_ + first + y;
-            texture_.rows->mix(mixture, window_.data + row * window_.stride + left_);
+            texture_.rows->mix(mixture, row(o, first + y));
         }
 }
 
 void Painter::strip(uint32_t first, uint32_t count)
 {
-    for (uint32_t o = 0; o < texture_.program->channels; ++o)
-        for (uint32_t y = 0; y < count; ++y) {
-            float* row = window_.data + (size_t(o) * window_.height + top_ + first + y) * window_.stride + left_;
-            for (uint32_t x = 0; x < block_.width; ++x) row[x] = 0.0f;
-        }
+    fresh_ = true;
     for (uint32_t i = 0; i < layers(); ++i) {
         const Layer& layer = texture_.layers[i];
         evaluate(i, first, count);
         const float* m = layer.masked ? mask(i, count) : nullptr;
-        if (layer.source->channels > 0) mix(layer, work_.data()[i].f.data(), m, first, count);
+        if (layer.source->channels == 0) continue; // only referred to
+        mix(layer, work_.data()[i].f.data(), m, first, count);
+        fresh_ = false;
     }
+    if (fresh_) clear(first, count);
+}
+
+float* Painter::row(uint32_t channel, uint32_t y)
+{
+    return window_.data + (size_t(channel) * window_.height + top_ + y) * window_.stride + left_;
+}
+
+void Painter::clear(uint32_t first, uint32_t count)
+{
+    for (uint32_t o = 0; o < texture_.program->channels; ++o)
+        for (uint32_t y = 0; y < count; ++y)
+            for (uint32_t x = 0; x < block_.width; ++x) row(o, first + y)[x] = 0.0f;
 }
 
 bool Painter::paint()
@@ -200,7 +213,8 @@ bool Painter::paint()
             const uint32_t width = minimum(largest_.width, window_.width - left_);
             const uint32_t height = minimum(largest_.height, window_.height - top_);
             if (!begin({window_.x + left_, window_.y + top_, width, height, window_.level})) return false;
-            for (uint32_t y = 0; y < height; y += strip_height) strip(y, minimum(strip_height, height - y));
+            const uint32_t rows = texture_.rows->strip_height;
+            for (uint32_t y = 0; y < height; y += rows) strip(y, minimum(rows, height - y));
         }
     return true;
 }

@@ -78,8 +78,9 @@ struct Columns {
     uint32_t run_count;
 };
 
-/// One result channel of a layer: out = mask * (sum of colour * f + mean) + out.
+/// One result channel of a layer: out = mask * (sum of colour * f + mean) + out, where `fresh` means that out is +0.
 struct Mixture {
+    bool fresh;
     const float* f;      ///< channel c at f + c * plane
     uint32_t plane, channels, width;
     const float* colour;
@@ -90,6 +91,7 @@ struct Mixture {
 struct Rows {
     uint32_t apron;      ///< zeros that kernels want right of every row of texels and left of the first; 0: none, no copy
     uint32_t apron_rows; ///< ... above and below every image
+    uint32_t strip_height; ///< rows of a strip, liked best
     uint32_t interleaved; ///< 1: points want texels of four planes side by side
 
     /// Bytes of scratch that splat_strip needs for that many impacts.

@@ -55,34 +55,53 @@ void multiply(const float* a, const float* b, uint32_t width, float* row)
     for (uint32_t x = 0; x < width; ++x) row[x] = a[x] * b[x];
 }
 
-/// Blocks of this many pixels keep the sum of a pixel in a register or in the nearest cache.
-constexpr uint32_t mix_width = 64;
-
-void mix(const Mixture& m, float* out)
+template <uint32_t channels, bool fresh> void mix_few(const Mixture& m, float* out)
 {
-    for (uint32_t begin = 0; begin < m.width; begin += mix_width) {
-        const uint32_t width = m.width - begin < mix_width ? m.width - begin : mix_width;
-        float sum[mix_width];
+    for (uint32_t x = 0; x < m.width; ++x) {
+        float sum = m.mean;
+        for (uint32_t c = 0; c < channels; ++c) sum = weft_madd(m.colour[c], m.f[size_t(c) * m.plane + x], sum);
+        out[x] = weft_madd(m.mask ? m.mask[x] : 1.0f, sum, fresh ? 0.0f : out[x]);
+    }
+}
+
+template <bool fresh> void mix_many(const Mixture& m, float* out)
+{
+    constexpr uint32_t step = 64;
+    for (uint32_t begin = 0; begin < m.width; begin += step) {
+        const uint32_t width = m.width - begin < step ? m.width - begin : step;
+        float sum[step];
         for (uint32_t x = 0; x < width; ++x) sum[x] = m.mean;
         for (uint32_t c = 0; c < m.channels; ++c) {
             const float* f = m.f + size_t(c) * m.plane + begin;
             const float colour = m.colour[c];
             for (uint32_t x = 0; x < width; ++x) sum[x] = weft_madd(colour, f[x], sum[x]);
         }
-        if (m.mask)
-            for (uint32_t x = 0; x < width; ++x) out[begin + x] = weft_madd(m.mask[begin + x], sum[x], out[begin + x]);
-        else
-            for (uint32_t x = 0; x < width; ++x) out[begin + x] = weft_madd(1.0f, sum[x], out[begin + x]);
+        for (uint32_t x = begin; x < begin + width; ++x)
+            out[x] = weft_madd(m.mask ? m.mask[x] : 1.0f, sum[x - begin], fresh ? 0.0f : out[x]);
     }
+}
+
+template <bool fresh> void mix_any(const Mixture& m, float* out)
+{
+    if (m.channels == 1) mix_few<1, fresh>(m, out);
+    else if (m.channels == 3) mix_few<3, fresh>(m, out);
+    else if (m.channels == 4) mix_few<4, fresh>(m, out);
+    else mix_many<fresh>(m, out);
+}
+
+void mix(const Mixture& m, float* out)
+{
+    if (m.fresh) mix_any<true>(m, out);
+    else mix_any<false>(m, out);
 }
 
 } // namespace
 
 extern const Rows rows;
 #if WEFT_LANES == 1
-const Rows rows = {0, 0, 0, scratch, find_impacts, splat_strip, splat_point, expand, lerp, tone, multiply, mix};
+const Rows rows = {0, 0, 24, 0, scratch, find_impacts, splat_strip, splat_point, expand, lerp, tone, multiply, mix};
 #else
-const Rows rows = {lanes - 1, band_apron, 1, scratch, find_impacts, splat_strip, splat_point, expand, lerp, tone, multiply, mix};
+const Rows rows = {lanes - 1, band_apron, strip_height, 1, scratch, find_impacts, splat_strip, splat_point, expand, lerp, tone, multiply, mix};
 #endif
 
 } // namespace WEFT_ISA

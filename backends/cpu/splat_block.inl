@@ -9,6 +9,8 @@
 constexpr uint32_t lanes = WEFT_LANES;
 constexpr uint32_t band_apron = 8; ///< rows of zeros: at least rows + taps - 2 of every band
 
+constexpr uint32_t strip_height = lanes == 8 ? 20 : 24; ///< a multiple of the rows of a block
+
 /// Rows of a block: as many as leave registers for the weights and two rows of texels.
 constexpr uint32_t band_rows(uint32_t taps)
 {
@@ -24,6 +26,8 @@ inline Vector load(const float* from)
     __builtin_memcpy(&v, from, sizeof v);
     return v;
 }
+
+inline void store(const Vector& v, float* to) { __builtin_memcpy(to, &v, sizeof v); }
 
 inline Vector fma(const Vector& a, const Vector& b, const Vector& c)
 {
@@ -42,19 +46,26 @@ template <uint32_t taps> struct Gather {
                       float* sums, uint32_t stride)
     {
         Vector sum[rows][taps];
+#pragma GCC unroll 16
         for (uint32_t r = 0; r < rows; ++r)
+#pragma GCC unroll 16
             for (uint32_t i = 0; i < taps; ++i) sum[r][i] = Vector{};
         for (uint32_t n = 0; n < count; ++n) {
             const Spline& spline = found.splines[list[n]];
             const float* from = texels + found.impacts[list[n]].origin;
+#pragma GCC unroll 16
             for (uint32_t r = 0; r < rows; ++r, from += pitch) {
                 Vector v = same(spline.y[0]) * load(from);
+#pragma GCC unroll 16
                 for (uint32_t j = 1; j < taps; ++j) v = fma(same(spline.y[j]), load(from + j * pitch), v);
+#pragma GCC unroll 16
                 for (uint32_t i = 0; i < taps; ++i) sum[r][i] = fma(same(spline.x[i]), v, sum[r][i]);
             }
         }
+#pragma GCC unroll 16
         for (uint32_t r = 0; r < rows; ++r)
-            for (uint32_t i = 0; i < taps; ++i) __builtin_memcpy(sums + (r * taps + i) * stride, &sum[r][i], sizeof(Vector));
+#pragma GCC unroll 16
+            for (uint32_t i = 0; i < taps; ++i) store(sum[r][i], sums + (r * taps + i) * stride);
     }
 };
 
@@ -65,6 +76,7 @@ template <> struct Gather<2> {
                       float* sums, uint32_t stride)
     {
         Vector left[rows], right[rows];
+#pragma GCC unroll 16
         for (uint32_t r = 0; r < rows; ++r) left[r] = right[r] = Vector{};
         for (uint32_t n = 0; n < count; ++n) {
             const Impact& impact = found.impacts[list[n]];
@@ -81,20 +93,23 @@ template <> struct Gather<2> {
                 above = below;
             }
         }
+#pragma GCC unroll 16
         for (uint32_t r = 0; r < rows; ++r) {
-            __builtin_memcpy(sums + 2 * r * stride, &left[r], sizeof(Vector));
-            __builtin_memcpy(sums + (2 * r + 1) * stride, &right[r], sizeof(Vector));
+            store(left[r], sums + 2 * r * stride);
+            store(right[r], sums + (2 * r + 1) * stride);
         }
     }
 };
 
-/// What a strip is rendered with, in its scratch: for each block of columns the impacts that reach it in a band, in
-/// order, and the accumulators of a band.
+/// What a strip is rendered with, in its scratch: the impacts that reach the strip, those that reach a band of it, and of
+/// these, for each block of columns, those that reach the block, all in order; and the accumulators of a band.
 struct Band {
     uint32_t blocks, stride, limit;
-    uint32_t* counts; ///< blocks
-    uint32_t* lists;  ///< blocks * limit
     float* sums;      ///< rows * taps * stride
+    uint32_t* strip;  ///< limit, as have the lists below
+    uint32_t* band;
+    uint32_t* lists;  ///< one for each block
+    uint32_t* counts; ///< of the lists
 };
 
 uint32_t blocks_for(uint32_t width, uint32_t taps) { return (width + taps - 1 + lanes - 1) / lanes; }
@@ -103,7 +118,7 @@ size_t scratch(uint32_t impacts, uint32_t width, uint32_t taps)
 {
     const size_t blocks = blocks_for(width, taps);
     const size_t sums = size_t(band_rows(taps)) * taps * (blocks + 1) * lanes;
-    return (sums + blocks * (size_t(impacts) + 1)) * sizeof(float);
+    return (sums + (blocks + 2) * (size_t(impacts) + 1) + blocks) * sizeof(float);
 }
 
 Band band_in(const Strip& strip, uint32_t impacts, uint32_t taps)
@@ -111,25 +126,42 @@ Band band_in(const Strip& strip, uint32_t impacts, uint32_t taps)
     Band band;
     band.blocks = blocks_for(strip.width, taps);
     band.stride = (band.blocks + 1) * lanes;
-    band.limit = impacts;
+    band.limit = impacts + 1;
     band.sums = static_cast<float*>(strip.scratch);
-    band.counts = reinterpret_cast<uint32_t*>(band.sums + size_t(band_rows(taps)) * taps * band.stride);
-    band.lists = band.counts + band.blocks;
+    band.strip = reinterpret_cast<uint32_t*>(band.sums + size_t(band_rows(taps)) * taps * band.stride);
+    band.band = band.strip + band.limit;
+    band.lists = band.band + band.limit;
+    band.counts = band.lists + size_t(band.blocks) * band.limit;
     return band;
 }
 
-/// Sorts the impacts that reach rows first..first + rows - 1 by the blocks they reach.
-void fill_lists(const Band& band, const Texels& texels, const Impacts& found, int32_t first, uint32_t rows, uint32_t taps)
+/// Of `count` impacts, those in `from` or if it is null the first, copies the numbers of those that reach some rows.
+uint32_t select(const Impacts& found, const uint32_t* from, uint32_t count, const Texels& texels, uint32_t taps,
+                uint32_t first, uint32_t rows, uint32_t* to)
+{
+    const int32_t highest = texels.height - int32_t(first), lowest = -int32_t(first + rows + taps - 2);
+    uint32_t selected = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t n = from ? from[i] : i;
+        const int32_t row = found.impacts[n].row;
+        to[selected] = n;
+        selected += uint32_t((row >= lowest) & (row < highest));
+    }
+    return selected;
+}
+
+/// Sorts the impacts that reach a band by the blocks they reach.
+void fill_lists(const Band& band, const Texels& texels, const Impacts& found, uint32_t count)
 {
     for (uint32_t b = 0; b < band.blocks; ++b) band.counts[b] = 0;
-    const int32_t reach = int32_t(rows + taps) - 2, columns = int32_t(band.blocks * lanes);
-    for (uint32_t n = 0; n < found.count; ++n) {
-        const Impact& impact = found.impacts[n];
-        const int32_t row = impact.row + first, last = texels.width - 1 - impact.column;
-        if ((row + reach < 0) | (row >= texels.height)) continue;
-        const uint32_t begin = impact.column < 0 ? uint32_t(-impact.column) / lanes : 0;
+    const int32_t columns = int32_t(band.blocks * lanes);
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t n = band.band[i];
+        const int32_t column = found.impacts[n].column, last = texels.width - 1 - column;
+        const uint32_t begin = column < 0 ? uint32_t(-column) / lanes : 0;
         const uint32_t end = uint32_t(last < columns ? last : columns - 1) / lanes;
-        for (uint32_t b = begin; b <= end; ++b) band.lists[size_t(b) * band.limit + band.counts[b]++] = n;
+        uint32_t* list = band.lists + size_t(begin) * band.limit;
+        for (uint32_t b = begin; b <= end; ++b, list += band.limit) list[band.counts[b]++] = n;
     }
 }
 
@@ -137,8 +169,9 @@ template <uint32_t taps> void splat_rows(const Splat& splat, const Texels& texel
 {
     constexpr uint32_t rows = band_rows(taps);
     const Band band = band_in(strip, found.count, taps);
+    const uint32_t near = select(found, nullptr, found.count, texels, taps, strip.first, strip.count, band.strip);
     for (uint32_t y = 0; y < strip.count; y += rows) {
-        fill_lists(band, texels, found, int32_t(strip.first + y), rows, taps);
+        fill_lists(band, texels, found, select(found, band.strip, near, texels, taps, strip.first + y, rows, band.band));
         const uint32_t height = strip.count - y < rows ? strip.count - y : rows;
         for (uint32_t p = 0; p < splat.planes; ++p) {
             const float* plane = texels.data + p * texels.plane + int64_t(strip.first + y) * texels.row;
