@@ -130,7 +130,7 @@ void apply(Core& core, const Matrix& axes, const double* mean, Planes& planes, c
 void for_each_step(Core& core, std::uint32_t count, double cost, const Progress& progress,
                    const std::function<void(std::uint32_t)>& body)
 {
-    const double many = std::max(1.0, 0x1p25 / std::max(cost, 1.0));
+    const double many = std::max(1.0, 0x1p24 / std::max(cost, 1.0));
     const std::uint32_t batch = std::max(core.parallel.width(), static_cast<std::uint32_t>(std::min<double>(many, count)));
     for (std::uint32_t first = 0; first < count;) {
         const std::uint32_t size = std::min(batch, count - first);

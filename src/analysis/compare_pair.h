@@ -20,7 +20,7 @@ struct Pair {
 
 Pair prepare_pair(Core& core, const weft_image& exemplar, const weft_image& output, const Progress& progress);
 
-/// Runs body(i) for every i < count in batches, reporting in between: a batch is about 2^25 of the elementary operations
+/// Runs body(i) for every i < count in batches, reporting in between: a batch is about 2^24 of the elementary operations
 /// of which one body takes `cost`.
 void for_each_step(Core& core, std::uint32_t count, double cost, const Progress& progress,
                    const std::function<void(std::uint32_t)>& body);

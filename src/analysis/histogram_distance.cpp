@@ -7,7 +7,7 @@ namespace weft {
 namespace {
 
 constexpr std::uint32_t colour_directions = 64;
-constexpr std::uint64_t most_pixels = 1u << 18; // the distance of two such samples of one law is about 0.002
+constexpr std::uint64_t most_pixels = 1u << 17; // the distance of two such samples of one law is about 0.003
 
 /// The sampled pixels, plane by plane.
 struct Colours {

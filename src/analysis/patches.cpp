@@ -7,7 +7,7 @@
 namespace weft {
 namespace {
 
-constexpr std::uint64_t most_patches = 1u << 15; // the distance of two such samples of one law is about 0.007
+constexpr std::uint64_t most_patches = 1u << 14; // the distance of two such samples of one law is about 0.012
 constexpr double least_eigenvalue = 1e-4;
 constexpr std::size_t chunk = 1024; // patches
 

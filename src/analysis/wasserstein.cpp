@@ -27,13 +27,14 @@ std::uint32_t digit_of(float value, std::uint32_t digit) noexcept
 
 void sort_floats(float* values, float* scratch, std::size_t count) noexcept
 {
+    std::uint32_t places[digits][1u << digit_bits] = {};
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::uint32_t digit = 0; digit < digits; ++digit) ++places[digit][digit_of(values[i], digit)];
     float *from = values, *to = scratch;
     for (std::uint32_t digit = 0; digit < digits; ++digit) {
-        std::size_t places[1u << digit_bits] = {};
-        for (std::size_t i = 0; i < count; ++i) ++places[digit_of(from[i], digit)];
-        std::size_t place = 0;
-        for (std::size_t& first : places) place += std::exchange(first, place);
-        for (std::size_t i = 0; i < count; ++i) to[places[digit_of(from[i], digit)]++] = from[i];
+        std::uint32_t place = 0;
+        for (std::uint32_t& first : places[digit]) place += std::exchange(first, place);
+        for (std::size_t i = 0; i < count; ++i) to[places[digit][digit_of(from[i], digit)]++] = from[i];
         std::swap(from, to);
     }
     static_assert(digits % 2 == 1, "the sorted values end up in the scratch");

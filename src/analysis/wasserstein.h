@@ -6,7 +6,7 @@
 
 namespace weft {
 
-/// Sorts finite floats; `scratch` is as long.
+/// Sorts fewer than 2^32 finite floats by their digits; `scratch` is as long.
 void sort_floats(float* values, float* scratch, std::size_t count) noexcept;
 
 /// The mean |difference| of the quantiles of two sorted samples: exact, whatever their sizes below 2^32.

@@ -9,7 +9,7 @@ namespace weft {
 namespace {
 
 constexpr std::size_t frequencies = 3; // along each axis
-constexpr std::size_t places_at_once = 1u << 16, places_together = 256;
+constexpr std::size_t places_at_once = 1u << 15, places_together = 256;
 constexpr std::uint32_t windows_together = 16;
 // A bound's own rounding shall rule nothing out; pixels are in standard deviations.
 constexpr float bound_factor = 1 - 1e-4f, bound_slack = 1e-6f;
