@@ -69,16 +69,19 @@ void compile(Device& device, bool correctly_rounded)
     check(code, "clCreateProgramWithSource");
     // No definitions: caches of compiled programs need not see them. No licence to change the arithmetic either.
     // -w: some compilers print that functions are not used.
-    const char* options = correctly_rounded ? "-w -cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt" : "-w -cl-std=CL1.2";
+    const char* options =
+        correctly_rounded ? "-w -cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt" : "-w -cl-std=CL1.2";
     check(clBuildProgram(device.program, 1, &device.id, options, nullptr, nullptr), "clBuildProgram");
 }
 
 void prepare(Device& device) noexcept
 {
     try {
-        if (!property<cl_bool>(device.id, CL_DEVICE_AVAILABLE) || !property<cl_bool>(device.id, CL_DEVICE_COMPILER_AVAILABLE) ||
+        if (!property<cl_bool>(device.id, CL_DEVICE_AVAILABLE) ||
+            !property<cl_bool>(device.id, CL_DEVICE_COMPILER_AVAILABLE) ||
             !property<cl_bool>(device.id, CL_DEVICE_ENDIAN_LITTLE))
-            throw Failure(WEFT_ERROR_UNSUPPORTED, "opencl: the device is not available, has no compiler or is big-endian");
+            throw Failure(WEFT_ERROR_UNSUPPORTED,
+                          "opencl: the device is not available, has no compiler or is big-endian");
         const auto arithmetic = property<cl_device_fp_config>(device.id, CL_DEVICE_SINGLE_FP_CONFIG);
         constexpr cl_device_fp_config needed =
             CL_FP_ROUND_TO_NEAREST | CL_FP_DENORM | CL_FP_FMA | CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT;
@@ -86,8 +89,10 @@ void prepare(Device& device) noexcept
         compile(device, (arithmetic & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0);
         const float difference = largest_difference(device);
         device.exact = difference == 0.0f && (arithmetic & needed) == needed;
-        if (device.exact) describe(device, "");
-        else describe(device, Failure(WEFT_OK, "; differs by up to ", difference).what());
+        if (device.exact)
+            describe(device, "");
+        else
+            describe(device, Failure(WEFT_OK, "; differs by up to ", difference).what());
     } catch (const Failure& failure) {
         device.status = failure.status();
         set_description(device, failure.what());
@@ -102,7 +107,8 @@ void prepare(Device& device) noexcept
 std::uint32_t device_count() noexcept
 {
     std::call_once(found, [] {
-        for (cl_device_type type : {CL_DEVICE_TYPE_GPU, CL_DEVICE_TYPE_ACCELERATOR, CL_DEVICE_TYPE_CPU}) find_devices(type);
+        for (cl_device_type type : {CL_DEVICE_TYPE_GPU, CL_DEVICE_TYPE_ACCELERATOR, CL_DEVICE_TYPE_CPU})
+            find_devices(type);
     });
     return found_count;
 }

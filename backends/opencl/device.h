@@ -1,8 +1,8 @@
 /// The OpenCL devices of this process: found, compiled for and tested once, then kept until the process ends.
 #pragma once
-#include <weft/backend.h>
 #include <CL/cl.h>
 #include <cstdint>
+#include <weft/backend.h>
 
 namespace weft::opencl {
 

@@ -1,6 +1,5 @@
 /// What the plug-in asks of libweft, in C++: memory, and the sentence that explains a failure.
 #pragma once
-#include <weft/backend.h>
 #include <charconv>
 #include <cstring>
 #include <exception>
@@ -8,6 +7,7 @@
 #include <new>
 #include <string_view>
 #include <type_traits>
+#include <weft/backend.h>
 
 namespace weft::opencl {
 

@@ -11,15 +11,14 @@ namespace {
 struct Reached {
     Reached(weft_i32 row, weft_i32 height, weft_i32 band_count, weft_i32 rows, weft_i32 taps)
         : first(std::max(0, 1 - taps - row) / rows), last(std::min(band_count - 1, (height - 1 - row) / rows))
-    {}
+    {
+    }
     weft_i32 first, last;
 };
 
 void set_weights(float* weights, weft_taps x, weft_taps y, float sign, weft_u32 taps)
 {
-    if (taps == 1) {
-        weights[0] = sign;
-    } else if (taps == 2) {
+    if (taps == 2) {
         const weft_weights2 w = weft_linear(x.t, y.t, sign);
         weights[0] = w.w0;
         weights[1] = w.w1;
@@ -43,7 +42,8 @@ struct Impacts::Cells {
     weft_u64 key;
 };
 
-void Impacts::collect(const LayerLayout& layer, const LevelLayout& level, const weft_u32* counts, const weft_window& window)
+void Impacts::collect(const LayerLayout& layer, const LevelLayout& level, const weft_u32* counts,
+                      const weft_window& window)
 {
     const weft_i64 unit = weft_i64{1} << window.level;
     const weft_i64 x = window.x * unit + unit / 2, y = window.y * unit + unit / 2;
@@ -76,9 +76,12 @@ void Impacts::draw(const Cells& cells)
         const weft_impact_axis x = weft_impact_at(weft_low(z), cells.layer.cell_log2);
         const weft_impact_axis y = weft_impact_at(weft_high(z), cells.layer.cell_log2);
         if (x.pixel >= cells.x.size || y.pixel >= cells.y.size) continue;
-        const weft_taps tx = weft_taps_at(weft_distance(-weft_i64{cells.x.start + x.pixel}, centre, x.fraction, window.level), taps);
-        const weft_taps ty = weft_taps_at(weft_distance(-weft_i64{cells.y.start + y.pixel}, centre, y.fraction, window.level), taps);
-        const auto column = static_cast<weft_i32>(tx.first - cells.level.x), row = static_cast<weft_i32>(ty.first - cells.level.y);
+        const weft_taps tx =
+            weft_taps_at(weft_distance(-weft_i64{cells.x.start + x.pixel}, centre, x.fraction, window.level), taps);
+        const weft_taps ty =
+            weft_taps_at(weft_distance(-weft_i64{cells.y.start + y.pixel}, centre, y.fraction, window.level), taps);
+        const auto column = static_cast<weft_i32>(tx.first - cells.level.x),
+                   row = static_cast<weft_i32>(ty.first - cells.level.y);
         const auto width = static_cast<weft_i32>(window.width), height = static_cast<weft_i32>(window.height);
         if (column >= static_cast<weft_i32>(cells.level.width) || column + width - 1 + reach < 0) continue;
         if (row >= static_cast<weft_i32>(cells.level.height) || row + height - 1 + reach < 0) continue;

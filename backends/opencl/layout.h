@@ -1,4 +1,5 @@
-/* What the host hands to the kernels, in the common subset of C++17 and OpenCL C 1.2: structs of naturally aligned words. */
+/* What the host hands to the kernels, in the common subset of C++17 and OpenCL C 1.2: structs of naturally aligned
+ * words. */
 #ifndef WEFT_OPENCL_LAYOUT_H
 #define WEFT_OPENCL_LAYOUT_H
 
@@ -6,13 +7,13 @@
 
 #define WEFT_NONE 0xffffffffu
 
-/* A block of splat_bands: as many columns as a vector holds, and as many rows as let the sums of a number of taps stay in 16
- * registers, beside weights and texels. */
+/* A block of splat_bands: as many columns as a vector holds, and as many rows as let the sums of a number of taps stay
+ * in 16 registers, beside weights and texels. */
 #define WEFT_BLOCK_COLUMNS 8
 #define WEFT_BLOCK_ROWS(taps) ((taps) == 1 ? 8 : (taps) == 2 ? 5 : (taps) == 4 ? 2 : 1)
 
-/* Numbers per impact: 1: sign; 2: w0, w1, rho; otherwise those of x times the sign, then those of y. */
-#define WEFT_BLOCK_WEIGHTS(taps) ((taps) == 1 ? 1 : (taps) == 2 ? 3 : 2 * (taps))
+/* Numbers per impact: of two taps w0, w1, rho; otherwise the weights of x times the sign, then those of y. */
+#define WEFT_BLOCK_WEIGHTS(taps) ((taps) == 2 ? 3 : 2 * (taps))
 
 #define WEFT_SAMPLES 16 /* that layer_sum finishes at once: the field's stride is a multiple of it */
 
@@ -22,17 +23,18 @@
 #define WEFT_TILE_GATHER 3
 
 /* One level of a mip chain. Gathered texels are float4: (image, group of four planes, row, column), framed by taps - 1
- * zeros if splatted; those of splat_bands are float: (plane, row, column), with a block's width of zeros between rows and what
- * a block and its taps may reach above and below. */
+ * zeros if splatted; those of splat_bands are float: (plane, row, column), with a block's width of zeros between rows
+ * and what a block and its taps may reach above and below. */
 typedef struct LevelLayout {
-    weft_u32 offset;      /* of the first texel in the texels' buffer, in units of 4 floats */
-    weft_u32 stride;      /* texels from one row to the next */
-    weft_u32 plane_step;  /* from one group (bands: plane) to the next */
+    weft_u32 offset;     /* of the first texel in the texels' buffer, in units of 4 floats */
+    weft_u32 stride;     /* texels from one row to the next */
+    weft_u32 plane_step; /* from one group (bands: plane) to the next */
     weft_u32 image_step;
-    weft_u32 width, height; /* without the frame */
-    weft_u32 frame_x, frame_y; /* texels before the first */
-    weft_i32 x, y;        /* SPLAT: index of the first texel without the frame */
-    weft_i32 before_x, after_x, before_y, after_y; /* SPLAT: impacts this many pixels before or after a sample reach it */
+    weft_u32 width, height;     /* without the frame */
+    weft_u32 frame_x, frame_y;  /* texels before the first */
+    weft_i32 x, y;              /* SPLAT: index of the first texel without the frame */
+    weft_i32 before_x, after_x; /* SPLAT: impacts this many pixels before or after a sample reach it */
+    weft_i32 before_y, after_y;
     float scale_x, scale_y; /* TILE */
 } LevelLayout;
 
@@ -43,23 +45,23 @@ typedef struct GridLayout {
 } GridLayout;
 
 typedef struct LayerLayout {
-    weft_u64 key;      /* SPLAT: weft_key(seed, stream, WEFT_TAG_IMPACTS) */
-    weft_u32 form;     /* WEFT_SPLAT_GATHER, ... */
+    weft_u64 key;  /* SPLAT: weft_key(seed, stream, WEFT_TAG_IMPACTS) */
+    weft_u32 form; /* WEFT_SPLAT_GATHER, ... */
     weft_u32 planes, channels;
-    weft_u32 colours;  /* channels of the program */
+    weft_u32 colours; /* channels of the program */
     weft_u32 first_level, levels;
     weft_u32 period_x, period_y;
     weft_u32 taps, cell_log2, count_limit, signs, images;
-    weft_u32 counts;   /* where in words */
-    weft_u32 offset;   /* where in numbers, four by four */
+    weft_u32 counts;                     /* where in words */
+    weft_u32 offset;                     /* where in numbers, four by four */
     weft_u32 choice_layer, choice_plane; /* layer WEFT_NONE: none */
     GridLayout grid_x, grid_y;
-    float level;       /* TILE: added */
+    float level;                     /* TILE: added */
     weft_u32 mask_layer, mask_plane; /* layer WEFT_NONE: none */
-    weft_u32 mask_slot;   /* plane of the field where later layers find this layer's mask; WEFT_NONE: nobody asks */
-    weft_u32 plane_slot;  /* first plane of the field that is this layer's */
-    weft_u32 kept;        /* 1: later layers ask for its planes */
-    weft_u32 tones;       /* where in words: pieces' count and where in numbers, per channel; WEFT_NONE: none */
+    weft_u32 mask_slot;    /* plane of the field where later layers find this layer's mask; WEFT_NONE: nobody asks */
+    weft_u32 plane_slot;   /* first plane of the field that is this layer's */
+    weft_u32 kept;         /* 1: later layers ask for its planes */
+    weft_u32 tones;        /* where in words: pieces' count and where in numbers, per channel; WEFT_NONE: none */
     weft_u32 colour, mean; /* where in numbers */
     weft_u32 zero;
 } LayerLayout;
@@ -74,8 +76,8 @@ typedef struct ImpactLayout {
 typedef struct SamplesLayout {
     weft_i64 x, y;
     weft_u32 level;
-    weft_u32 spots;  /* 1: of the buffer of spots */
-    weft_u32 width;  /* samples of a row, of which there are height */
+    weft_u32 spots; /* 1: of the buffer of spots */
+    weft_u32 width; /* samples of a row, of which there are height */
     weft_u32 height;
     weft_u32 stride; /* of the field, a multiple of WEFT_SAMPLES */
     weft_u32 pitch;  /* of the field: from one plane to the next */

@@ -10,7 +10,10 @@ struct weft_backend_device {
 };
 
 struct weft_backend_texture {
-    weft_backend_texture(weft_backend_device& on, const weft_program& program) : device(on), texture(*on.device, program, &on.memory) {}
+    weft_backend_texture(weft_backend_device& on, const weft_program& program)
+        : device(on), texture(*on.device, program, &on.memory)
+    {
+    }
 
     weft_backend_device& device;
     weft::opencl::Texture texture;
@@ -66,7 +69,8 @@ void device_info(std::uint32_t index, weft_device_info* info) noexcept
     *std::to_chars(info->name, info->name + sizeof info->name - 1, index).ptr = '\0';
 }
 
-weft_status device_open(const weft_host* host, std::uint32_t index, weft_device_limits* limits, weft_backend_device** device) noexcept
+weft_status device_open(const weft_host* host, std::uint32_t index, weft_device_limits* limits,
+                        weft_backend_device** device) noexcept
 {
     return guarded(host, [&] {
         const weft::opencl::Device& opened = weft::opencl::device(index);
@@ -83,10 +87,12 @@ weft_status device_open(const weft_host* host, std::uint32_t index, weft_device_
 
 void device_close(weft_backend_device* device) noexcept { destroy(device->memory, device); }
 
-weft_status texture_open(weft_backend_device* device, const weft_program* program, weft_backend_texture** texture) noexcept
+weft_status texture_open(weft_backend_device* device, const weft_program* program,
+                         weft_backend_texture** texture) noexcept
 {
     return guarded(device->host, [&] {
-        if (!weft_understands_program(program)) throw Failure(WEFT_ERROR_UNSUPPORTED, "opencl: the program is newer than this plug-in");
+        if (!weft_understands_program(program))
+            throw Failure(WEFT_ERROR_UNSUPPORTED, "opencl: the program is newer than this plug-in");
         *texture = make<weft_backend_texture>(device->memory, *device, *program);
     });
 }
@@ -105,6 +111,12 @@ void texture_close(weft_backend_texture* texture) noexcept { destroy(texture->de
 
 } // namespace
 
-WEFT_BACKEND_EXPORT const weft_backend weft_backend_v0 = {
-    WEFT_BACKEND_HEAD("opencl"), device_count, device_info, device_open, device_close, texture_open, texture_render, texture_sample,
-    texture_close};
+WEFT_BACKEND_EXPORT const weft_backend weft_backend_v0 = {WEFT_BACKEND_HEAD("opencl"),
+                                                          device_count,
+                                                          device_info,
+                                                          device_open,
+                                                          device_close,
+                                                          texture_open,
+                                                          texture_render,
+                                                          texture_sample,
+                                                          texture_close};

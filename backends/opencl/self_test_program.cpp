@@ -3,12 +3,18 @@
 
 namespace weft::opencl {
 
-void SelfTestProgram::fill(Pictures& pictures, std::uint32_t planes, std::uint32_t images, std::uint32_t size_x, std::uint32_t size_y)
+void SelfTestProgram::fill(Pictures& pictures, std::uint32_t planes, std::uint32_t images, std::uint32_t size_x,
+                           std::uint32_t size_y)
 {
     for (std::uint32_t l = 0; l < 2; ++l) {
         const std::uint32_t level_x = (size_x + l) >> l, level_y = (size_y + l) >> l;
         weft_mip& mip = pictures.levels[l];
-        mip = {data_ + used_, level_x, level_y, 0, 0, static_cast<float>(level_x) / static_cast<float>(size_x),
+        mip = {data_ + used_,
+               level_x,
+               level_y,
+               0,
+               0,
+               static_cast<float>(level_x) / static_cast<float>(size_x),
                static_cast<float>(level_y) / static_cast<float>(size_y)};
         for (std::size_t n = std::size_t{images} * planes * level_x * level_y; n != 0; --n, ++used_)
             data_[used_] = static_cast<float>(static_cast<std::int32_t>(weft_mix(used_) >> 40) - (1 << 23)) * 0x1p-23f;

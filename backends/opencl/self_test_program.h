@@ -1,9 +1,9 @@
 /// The small fixed program of the self-test, and where it is looked at. Every kernel has a part in it.
 #pragma once
 #include "common/field.h"
-#include <weft/backend.h>
 #include <cstddef>
 #include <cstdint>
+#include <weft/backend.h>
 
 namespace weft::opencl {
 
@@ -66,12 +66,14 @@ private:
         weft_mip levels[2];
         weft_mips mips;
     };
-    void fill(Pictures& pictures, std::uint32_t planes, std::uint32_t images, std::uint32_t size_x, std::uint32_t size_y);
+    void fill(Pictures& pictures, std::uint32_t planes, std::uint32_t images, std::uint32_t size_x,
+              std::uint32_t size_y);
     weft_splat splat(const Pictures& textons, std::uint32_t taps) const;
     weft_layer layer(weft_layer_kind kind, std::uint32_t planes, std::int32_t mask_layer) const;
 
     static constexpr std::uint32_t thresholds[4] = {0x20000000, 0x60000000, 0xa0000000, 0xe8000000};
-    static constexpr float zeros[2] = {0.0f, 0.0f}, means[2] = {0.4375f, -0.3f}, colours[4] = {0.9f, -0.2f, 0.35f, 1.1f};
+    static constexpr float zeros[2] = {0.0f, 0.0f}, means[2] = {0.4375f, -0.3f},
+                           colours[4] = {0.9f, -0.2f, 0.35f, 1.1f};
     static constexpr weft_piece pieces[2] = {{-1.0f, -0.8f, 0.7f, 0.1f, -0.2f}, {0.1f, 0.05f, 1.1f, -0.3f, 0.05f}};
     static constexpr weft_tone tones[2] = {{-1.0f, 1.5f, 2, 0, pieces}, {-0.5f, 0.7f, 1, 0, pieces}};
 

@@ -52,8 +52,11 @@ int main(int count, char** arguments)
         if (backend->texture_open(device, &fixed.program, &texture) != WEFT_OK) return 1;
         const auto keep = [&](weft_status next) { status = status == WEFT_OK ? next : status; };
         if (use == WEFT_USE_WINDOW)
-            SelfTestProgram::look([&](const weft_window& window) { keep(backend->texture_render(texture, &window)); }, end);
-        else SelfTestProgram::look_at_spots([&](const weft_batch& batch) { keep(backend->texture_sample(texture, &batch)); }, end);
+            SelfTestProgram::look([&](const weft_window& window) { keep(backend->texture_render(texture, &window)); },
+                                  end);
+        else
+            SelfTestProgram::look_at_spots(
+                [&](const weft_batch& batch) { keep(backend->texture_sample(texture, &batch)); }, end);
         backend->texture_close(texture);
     }
     backend->device_close(device);

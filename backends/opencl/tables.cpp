@@ -20,7 +20,8 @@ bool known(const weft_layer& layer)
 bool known(const weft_program& program)
 {
     if (program.use != WEFT_USE_WINDOW && program.use != WEFT_USE_POINTS) return false;
-    return std::all_of(program.layers, program.layers + program.layer_count, [](const weft_layer* layer) { return known(*layer); });
+    return std::all_of(program.layers, program.layers + program.layer_count,
+                       [](const weft_layer* layer) { return known(*layer); });
 }
 
 weft_u32 layer_of(weft_ref ref) { return ref.layer < 0 ? WEFT_NONE : static_cast<weft_u32>(ref.layer); }
@@ -28,7 +29,8 @@ weft_u32 layer_of(weft_ref ref) { return ref.layer < 0 ? WEFT_NONE : static_cast
 std::uint32_t groups(std::uint32_t planes) { return (planes + 3) / 4; }
 
 /// How far impacts reach, in pixels before and after a sample; `first` and `size` are the texels of a level.
-void set_reach(std::uint32_t taps, std::uint32_t whole, std::int64_t first, std::int64_t size, weft_i32& before, weft_i32& after)
+void set_reach(std::uint32_t taps, std::uint32_t whole, std::int64_t first, std::int64_t size, weft_i32& before,
+               weft_i32& after)
 {
     const std::int64_t half = taps == 1 ? 1 : taps / 2, unit = std::int64_t{1} << whole;
     before = static_cast<weft_i32>(std::max<std::int64_t>((first + size + half) * unit + 1, 0));
@@ -40,7 +42,9 @@ void set_reach(std::uint32_t taps, std::uint32_t whole, std::int64_t first, std:
 Tables::Tables(const Device& device, const weft_program& from, std::pmr::memory_resource* memory)
     : program(from), layers(memory), levels(memory), words(memory), numbers(memory)
 {
-    if (!known(program)) throw Failure(WEFT_ERROR_UNSUPPORTED, "opencl: the program has a layer or a use that this backend does not know");
+    if (!known(program))
+        throw Failure(WEFT_ERROR_UNSUPPORTED,
+                      "opencl: the program has a layer or a use that this backend does not know");
     for (std::uint32_t i = 0; i < program.layer_count; ++i)
         add_layer(*program.layers[i], device.cpu && program.use == WEFT_USE_WINDOW);
     if (texel_count > device.largest_buffer / 16 || texel_count > UINT32_MAX)
@@ -139,7 +143,8 @@ void Tables::add_sum(const weft_layer& layer, LayerLayout& to)
     to.mean = static_cast<weft_u32>(numbers.size());
     numbers.insert(numbers.end(), layer.mean, layer.mean + program.channels);
     to.colour = static_cast<weft_u32>(numbers.size());
-    if (layer.channels != 0) numbers.insert(numbers.end(), layer.colour, layer.colour + program.channels * layer.channels);
+    if (layer.channels != 0)
+        numbers.insert(numbers.end(), layer.colour, layer.colour + program.channels * layer.channels);
     if (!layer.tones) return;
     to.tones = static_cast<weft_u32>(words.size());
     for (std::uint32_t c = 0; c < layer.channels; ++c) {
@@ -191,7 +196,8 @@ void Tables::fill_texels(float* texels) const
             const float* from = mips.level[l].data;
             for (std::uint32_t plane = 0; plane < images * to.planes; ++plane) {
                 const std::uint32_t image = plane / to.planes, p = plane % to.planes;
-                const std::size_t start = std::size_t{level.image_step} * image + std::size_t{level.plane_step} * (p / lanes) +
+                const std::size_t start = std::size_t{level.image_step} * image +
+                                          std::size_t{level.plane_step} * (p / lanes) +
                                           std::size_t{level.frame_y} * level.stride + level.frame_x;
                 float* row = texels + std::size_t{level.offset} * 4 + start * lanes + p % lanes;
                 for (std::uint32_t y = 0; y < level.height; ++y, row += std::size_t{level.stride} * lanes)

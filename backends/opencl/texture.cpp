@@ -6,11 +6,11 @@ namespace weft::opencl {
 
 namespace {
 
-constexpr std::size_t group_size = 64;           // of the gathering kernels
-constexpr std::uint32_t most_spots = 65536;      // of one step
+constexpr std::size_t group_size = 64;          // of the gathering kernels
+constexpr std::uint32_t most_spots = 65536;     // of one step
 constexpr weft_u32 segment_blocks = 32;         // of one work-item of splat_bands
-constexpr std::uint64_t most_floats = 1u << 24;  // of a workspace's field, sums and result together
-constexpr std::uint64_t most_cells = 1u << 20;   // from which one list of impacts is drawn
+constexpr std::uint64_t most_floats = 1u << 24; // of a workspace's field, sums and result together
+constexpr std::uint64_t most_cells = 1u << 20;  // from which one list of impacts is drawn
 
 template <class Number> Number round_up(Number n, Number to) { return (n + to - 1) / to * to; }
 
@@ -78,8 +78,10 @@ bool Texture::too_large(const weft_window& window) const
     for (const LayerLayout& layer : tables_.layers) {
         if (layer.form != WEFT_SPLAT_BANDS || window.level >= layer.levels) continue;
         const LevelLayout& level = tables_.levels[layer.first_level + window.level];
-        const auto reach_x = static_cast<std::uint64_t>(level.before_x + level.after_x) + (std::uint64_t{window.width} << window.level);
-        const auto reach_y = static_cast<std::uint64_t>(level.before_y + level.after_y) + (std::uint64_t{window.height} << window.level);
+        const auto reach_x =
+            static_cast<std::uint64_t>(level.before_x + level.after_x) + (std::uint64_t{window.width} << window.level);
+        const auto reach_y =
+            static_cast<std::uint64_t>(level.before_y + level.after_y) + (std::uint64_t{window.height} << window.level);
         if ((reach_x >> layer.cell_log2) * (reach_y >> layer.cell_log2) > most_cells) return true;
     }
     return false;
@@ -92,9 +94,12 @@ void Texture::render(const weft_window& window)
     weft_u32 step_x = window.width, step_y = window.height;
     weft_window part = window;
     while (part.width = step_x, part.height = step_y, too_large(part)) {
-        if (step_y > 16 && step_y >= step_x / 4) step_y = (step_y + 1) / 2;
-        else if (step_x > 4 * WEFT_SAMPLES) step_x = padded_stride(step_x / 2);
-        else break;
+        if (step_y > 16 && step_y >= step_x / 4)
+            step_y = (step_y + 1) / 2;
+        else if (step_x > 4 * WEFT_SAMPLES)
+            step_x = padded_stride(step_x / 2);
+        else
+            break;
     }
     for (weft_u32 y = 0; y < window.height; y += step_y) {
         for (weft_u32 x = 0; x < window.width; x += step_x) {
@@ -111,7 +116,14 @@ void Texture::render(const weft_window& window)
 void Texture::render_part(Workspace& work, const weft_window& part, std::size_t plane)
 {
     const weft_u32 stride = padded_stride(part.width), channels = tables_.program.channels;
-    const SamplesLayout samples = {part.x, part.y, part.level, 0, part.width, part.height, stride, stride * part.height,
+    const SamplesLayout samples = {part.x,
+                                   part.y,
+                                   part.level,
+                                   0,
+                                   part.width,
+                                   part.height,
+                                   stride,
+                                   stride * part.height,
                                    device_.cpu ? stride : weft_u32{WEFT_SAMPLES}};
     if (device_.cpu) return render_in_place(work, samples, part, plane);
     const cl_mem out = work.out.get(device_.context, std::size_t{samples.pitch} * channels * sizeof(float));
@@ -119,8 +131,8 @@ void Texture::render_part(Workspace& work, const weft_window& part, std::size_t 
     const std::size_t zero[3] = {0, 0, 0};
     const std::size_t region[3] = {part.width * sizeof(float), part.height, channels};
     check(clEnqueueReadBufferRect(work.queue.get(), out, CL_TRUE, zero, zero, region, stride * sizeof(float),
-                                  samples.pitch * sizeof(float), part.stride * sizeof(float), plane * sizeof(float), part.data, 0,
-                                  nullptr, nullptr),
+                                  samples.pitch * sizeof(float), part.stride * sizeof(float), plane * sizeof(float),
+                                  part.data, 0, nullptr, nullptr),
           "clEnqueueReadBufferRect");
 }
 
@@ -130,10 +142,12 @@ void Texture::render_in_place(Workspace& work, const SamplesLayout& samples, con
     const std::size_t floats =
         (tables_.program.channels - 1) * plane + std::size_t{part.height - 1} * part.stride + part.width;
     cl_int code = CL_SUCCESS;
-    const Buffer out(clCreateBuffer(device_.context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, floats * sizeof(float), part.data, &code));
+    const Buffer out(clCreateBuffer(device_.context, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, floats * sizeof(float),
+                                    part.data, &code));
     check(code, "clCreateBuffer");
     evaluate(work, samples, &part, out.get(), {1, part.stride, plane});
-    void* mapped = clEnqueueMapBuffer(work.queue.get(), out.get(), CL_TRUE, CL_MAP_READ, 0, floats * sizeof(float), 0, nullptr, nullptr, &code);
+    void* mapped = clEnqueueMapBuffer(work.queue.get(), out.get(), CL_TRUE, CL_MAP_READ, 0, floats * sizeof(float), 0,
+                                      nullptr, nullptr, &code);
     check(code, "clEnqueueMapBuffer");
     check(clEnqueueUnmapMemObject(work.queue.get(), out.get(), mapped, 0, nullptr, nullptr), "clEnqueueUnmapMemObject");
     check(clFinish(work.queue.get()), "clFinish");
@@ -151,36 +165,43 @@ void Texture::sample_part(Workspace& work, const weft_spot* spots, std::uint32_t
 {
     static_assert(sizeof(weft_spot) == sizeof(SpotLayout));
     const weft_u32 stride = padded_stride(count), channels = tables_.program.channels;
-    const SamplesLayout samples = {0, 0, 0, 1, count, 1, stride, stride,
-                                   (device_.cpu ? 16u : 1u) * WEFT_SAMPLES};
+    const SamplesLayout samples = {0, 0, 0, 1, count, 1, stride, stride, (device_.cpu ? 16u : 1u) * WEFT_SAMPLES};
     const cl_mem buffer = work.spots.get(device_.context, count * sizeof *spots);
-    check(clEnqueueWriteBuffer(work.queue.get(), buffer, CL_FALSE, 0, count * sizeof *spots, spots, 0, nullptr, nullptr),
-          "clEnqueueWriteBuffer");
+    check(
+        clEnqueueWriteBuffer(work.queue.get(), buffer, CL_FALSE, 0, count * sizeof *spots, spots, 0, nullptr, nullptr),
+        "clEnqueueWriteBuffer");
     const cl_mem result = work.out.get(device_.context, std::size_t{count} * channels * sizeof(float));
     evaluate(work, samples, nullptr, result, {channels, 0, 1});
-    check(clEnqueueReadBuffer(work.queue.get(), result, CL_TRUE, 0, std::size_t{count} * channels * sizeof(float), out, 0, nullptr, nullptr),
+    check(clEnqueueReadBuffer(work.queue.get(), result, CL_TRUE, 0, std::size_t{count} * channels * sizeof(float), out,
+                              0, nullptr, nullptr),
           "clEnqueueReadBuffer");
 }
 
-void Texture::evaluate(Workspace& work, const SamplesLayout& samples, const weft_window* window, cl_mem out, const ResultLayout& result)
+void Texture::evaluate(Workspace& work, const SamplesLayout& samples, const weft_window* window, cl_mem out,
+                       const ResultLayout& result)
 {
-    const cl_mem layers = layers_.get(), levels = levels_.get(), words = words_.get(), numbers = numbers_.get(), texels = texels_.get();
+    const cl_mem layers = layers_.get(), levels = levels_.get(), words = words_.get(), numbers = numbers_.get(),
+                 texels = texels_.get();
     const cl_mem spots = work.spots.get(device_.context, sizeof(SpotLayout));
     const std::size_t floats = std::max<std::size_t>(std::size_t{tables_.slots} * samples.pitch, 1);
     const cl_mem field = work.field.get(device_.context, floats * sizeof(float));
     for (weft_u32 i = 0; i < tables_.layers.size(); ++i) {
         const LayerLayout& layer = tables_.layers[i];
-        const std::size_t global[3] = {round_up(std::size_t{samples.width}, group_size), samples.height, (layer.planes + 3) / 4};
+        const std::size_t global[3] = {round_up(std::size_t{samples.width}, group_size), samples.height,
+                                       (layer.planes + 3) / 4};
         SumsLayout blocks = {};
         if (layer.form == WEFT_SPLAT_BANDS)
             blocks = splat_bands(work, layer, *window);
         else if (layer.form == WEFT_SPLAT_GATHER)
-            work.splat_gather.enqueue(work.queue.get(), global, group_size, layers, levels, texels, spots, field, samples, i, words, numbers);
+            work.splat_gather.enqueue(work.queue.get(), global, group_size, layers, levels, texels, spots, field,
+                                      samples, i, words, numbers);
         else
-            work.tile_gather.enqueue(work.queue.get(), global, group_size, layers, levels, texels, spots, field, samples, i);
+            work.tile_gather.enqueue(work.queue.get(), global, group_size, layers, levels, texels, spots, field,
+                                     samples, i);
         const cl_mem sums = work.sums.get(device_.context, sizeof(float));
         const std::size_t spans[3] = {(samples.width + samples.span - 1) / samples.span, samples.height, 1};
-        work.layer_sum.enqueue(work.queue.get(), spans, 1, layers, words, numbers, field, sums, out, samples, blocks, result, i);
+        work.layer_sum.enqueue(work.queue.get(), spans, 1, layers, words, numbers, field, sums, out, samples, blocks,
+                               result, i);
     }
 }
 
@@ -189,7 +210,8 @@ cl_mem Texture::send(Workspace& work, Scratch& scratch, const void* data, std::s
     const cl_mem buffer = scratch.get(device_.context, std::max<std::size_t>(bytes, 1));
     // Blocking, and the queue is in order: after it the data may be made anew, for the next layer.
     if (bytes != 0)
-        check(clEnqueueWriteBuffer(work.queue.get(), buffer, CL_TRUE, 0, bytes, data, 0, nullptr, nullptr), "clEnqueueWriteBuffer");
+        check(clEnqueueWriteBuffer(work.queue.get(), buffer, CL_TRUE, 0, bytes, data, 0, nullptr, nullptr),
+              "clEnqueueWriteBuffer");
     return buffer;
 }
 
@@ -200,9 +222,9 @@ SumsLayout Texture::splat_bands(Workspace& work, const LayerLayout& layer, const
     if (window.level >= layer.levels) return blocks; // layer_sum takes f = 0
     blocks.index = layer.first_level + window.level;
     work.impacts.collect(layer, tables_.levels[blocks.index], tables_.words.data() + layer.counts, window);
-    const auto &places = work.impacts.places();
-    const auto &weights = work.impacts.weights();
-    const auto &begins = work.impacts.bands();
+    const auto& places = work.impacts.places();
+    const auto& weights = work.impacts.weights();
+    const auto& begins = work.impacts.bands();
     const cl_mem impacts = send(work, work.places, places.data(), places.size() * sizeof places[0]);
     const cl_mem factors = send(work, work.weights, weights.data(), weights.size() * sizeof weights[0]);
     const cl_mem bands = send(work, work.bands, begins.data(), begins.size() * sizeof begins[0]);
@@ -215,8 +237,8 @@ SumsLayout Texture::splat_bands(Workspace& work, const LayerLayout& layer, const
     const cl_mem sums = work.sums.get(device_.context, std::size_t{tables_.sums} * blocks.step * sizeof(float));
     const cl_mem levels = levels_.get(), texels = texels_.get();
     const std::size_t segments = (blocks.blocks + blocks.segment - 1) / blocks.segment;
-    work.splat_bands[layer.taps / 2].enqueue(work.queue.get(), {segments, band_count, layer.planes}, 1, levels, texels, impacts, factors,
-                                             bands, sums, blocks);
+    work.splat_bands[layer.taps / 2].enqueue(work.queue.get(), {segments, band_count, layer.planes}, 1, levels, texels,
+                                             impacts, factors, bands, sums, blocks);
     return blocks;
 }
 

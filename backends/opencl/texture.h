@@ -24,7 +24,8 @@ private:
     void render_part(Workspace& work, const weft_window& part, std::size_t plane);
     void render_in_place(Workspace& work, const SamplesLayout& samples, const weft_window& part, std::size_t plane);
     void sample_part(Workspace& work, const weft_spot* spots, std::uint32_t count, float* out);
-    void evaluate(Workspace& work, const SamplesLayout& samples, const weft_window* window, cl_mem out, const ResultLayout& result);
+    void evaluate(Workspace& work, const SamplesLayout& samples, const weft_window* window, cl_mem out,
+                  const ResultLayout& result);
     SumsLayout splat_bands(Workspace& work, const LayerLayout& layer, const weft_window& window);
     cl_mem send(Workspace& work, Scratch& scratch, const void* data, std::size_t bytes);
     bool too_large(const weft_window& window) const;

@@ -35,11 +35,14 @@ Queue new_queue(const Device& device)
 } // namespace
 
 Workspace::Workspace(const Device& device, std::pmr::memory_resource* memory)
-    : queue(new_queue(device)), splat_gather(device.program, "splat_gather"), tile_gather(device.program, "tile_gather"),
-      layer_sum(device.program, "layer_sum"),
-      splat_bands{Task(device.program, "splat_bands_1"), Task(device.program, "splat_bands_2"), Task(device.program, "splat_bands_4"),
-                  Task(device.program, "splat_bands_6")},
+    : queue(new_queue(device)), splat_gather(device.program, "splat_gather"),
+      tile_gather(device.program, "tile_gather"),
+      layer_sum(device.program, "layer_sum"), splat_bands{Task(device.program, "splat_bands_1"),
+                                                          Task(device.program, "splat_bands_2"),
+                                                          Task(device.program, "splat_bands_4"),
+                                                          Task(device.program, "splat_bands_6")},
       impacts(memory)
-{}
+{
+}
 
 } // namespace weft::opencl

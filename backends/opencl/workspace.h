@@ -24,12 +24,14 @@ public:
 
     /// Sets all arguments and enqueues `global` work-items in groups of `local` along the first axis.
     template <class... Arguments>
-    void enqueue(cl_command_queue queue, const std::size_t (&global)[3], std::size_t local, const Arguments&... arguments)
+    void enqueue(cl_command_queue queue, const std::size_t (&global)[3], std::size_t local,
+                 const Arguments&... arguments)
     {
         cl_uint index = 0;
         (check(clSetKernelArg(kernel_.get(), index++, sizeof arguments, &arguments), "clSetKernelArg"), ...);
         const std::size_t group[3] = {local, 1, 1};
-        check(clEnqueueNDRangeKernel(queue, kernel_.get(), 3, nullptr, global, group, 0, nullptr, nullptr), "clEnqueueNDRangeKernel");
+        check(clEnqueueNDRangeKernel(queue, kernel_.get(), 3, nullptr, global, group, 0, nullptr, nullptr),
+              "clEnqueueNDRangeKernel");
     }
 
 private:
