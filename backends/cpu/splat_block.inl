@@ -36,6 +36,16 @@ inline Vector fma(const Vector& a, const Vector& b, const Vector& c)
     return sum;
 }
 
+/// Keeps a vector in a register that is used more than once: GCC would rather load it again, and loads are scarce.
+inline void keep(Vector& v)
+{
+#if defined(__x86_64__)
+    __asm__("" : "+v"(v));
+#elif defined(__aarch64__)
+    __asm__("" : "+w"(v));
+#endif
+}
+
 inline Vector same(float a) { return a - Vector{}; }
 
 /// One block of one plane: `texels` is that of an impact of origin 0, under the block's first pixel.
@@ -69,11 +79,29 @@ template <uint32_t taps> struct Gather {
     }
 };
 
-template <> struct Gather<2> {
+/// v without its first element, and then the first of `next`.
+inline Vector shift(const Vector& v, const Vector& next)
+{
+#if WEFT_LANES == 4
+    return __builtin_shufflevector(v, next, 1, 2, 3, 4);
+#elif WEFT_LANES == 8
+    return __builtin_shufflevector(v, next, 1, 2, 3, 4, 5, 6, 7, 8);
+#else
+    return __builtin_shufflevector(v, next, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16);
+#endif
+}
+
+/// Two taps. Blocks come from right to left: `carry` is A1 of the block to the right, by row, and becomes that of this one.
+struct Linear_block {
     static constexpr uint32_t rows = band_rows(2);
 
-    static void block(const float* texels, int64_t pitch, const Impacts& found, const uint32_t* list, uint32_t count,
-                      float* sums, uint32_t stride)
+    const Impacts& found;
+    int64_t pitch;
+    float offset;
+    uint32_t stride, height; ///< of what is written; 0 rows of the block that lies beyond the window
+    Vector carry[rows];
+
+    void sum(const float* texels, const uint32_t* list, uint32_t count, float* out)
     {
         Vector left[rows], right[rows];
 #pragma GCC unroll 16
@@ -83,10 +111,12 @@ template <> struct Gather<2> {
             const Vector w0 = same(impact.w0), w1 = same(impact.w1), rho = same(impact.rho);
             const float* from = texels + impact.origin;
             Vector above = load(from);
+            keep(above);
 #pragma GCC unroll 16
             for (uint32_t r = 0; r < rows; ++r) {
                 from += pitch;
-                const Vector below = load(from);
+                Vector below = load(from);
+                keep(below);
                 const Vector v = fma(rho, below, above);
                 left[r] = fma(w0, v, left[r]);
                 right[r] = fma(w1, v, right[r]);
@@ -95,8 +125,8 @@ template <> struct Gather<2> {
         }
 #pragma GCC unroll 16
         for (uint32_t r = 0; r < rows; ++r) {
-            store(left[r], sums + 2 * r * stride);
-            store(right[r], sums + (2 * r + 1) * stride);
+            if (r < height) store((left[r] + shift(right[r], carry[r])) + same(offset), out + r * stride);
+            carry[r] = right[r];
         }
     }
 };
@@ -105,11 +135,13 @@ template <> struct Gather<2> {
 /// these, for each block of columns, those that reach the block, all in order; and the accumulators of a band.
 struct Band {
     uint32_t blocks, stride, limit;
-    float* sums;      ///< rows * taps * stride
+    float* sums;      ///< rows * taps * stride; none for two taps
     uint32_t* strip;  ///< limit, as have the lists below
     uint32_t* band;
     uint32_t* lists;  ///< one for each block
     uint32_t* counts; ///< of the lists
+
+    const uint32_t* list(uint32_t block) const { return lists + size_t(block) * limit; }
 };
 
 uint32_t blocks_for(uint32_t width, uint32_t taps) { return (width + taps - 1 + lanes - 1) / lanes; }
@@ -117,7 +149,7 @@ uint32_t blocks_for(uint32_t width, uint32_t taps) { return (width + taps - 1 + 
 size_t scratch(uint32_t impacts, uint32_t width, uint32_t taps)
 {
     const size_t blocks = blocks_for(width, taps);
-    const size_t sums = size_t(band_rows(taps)) * taps * (blocks + 1) * lanes;
+    const size_t sums = taps == 2 ? 0 : size_t(band_rows(taps)) * taps * (blocks + 1) * lanes;
     return (sums + (blocks + 2) * (size_t(impacts) + 1) + blocks) * sizeof(float);
 }
 
@@ -128,10 +160,10 @@ Band band_in(const Strip& strip, uint32_t impacts, uint32_t taps)
     band.stride = (band.blocks + 1) * lanes;
     band.limit = impacts + 1;
     band.sums = static_cast<float*>(strip.scratch);
-    band.strip = reinterpret_cast<uint32_t*>(band.sums + size_t(band_rows(taps)) * taps * band.stride);
+    band.strip = reinterpret_cast<uint32_t*>(band.sums + (taps == 2 ? 0 : size_t(band_rows(taps)) * taps * band.stride));
     band.band = band.strip + band.limit;
-    band.lists = band.band + band.limit;
-    band.counts = band.lists + size_t(band.blocks) * band.limit;
+    band.counts = band.band + band.limit;
+    band.lists = band.counts + band.blocks;
     return band;
 }
 
@@ -151,52 +183,79 @@ uint32_t select(const Impacts& found, const uint32_t* from, uint32_t count, cons
 }
 
 /// Sorts the impacts that reach a band by the blocks they reach.
-void fill_lists(const Band& band, const Texels& texels, const Impacts& found, uint32_t count)
+void fill_lists(Band& band, const Texels& texels, const Impacts& found, uint32_t count)
 {
-    for (uint32_t b = 0; b < band.blocks; ++b) band.counts[b] = 0;
+    band.limit = count + 1; // close together
+    const size_t limit = band.limit;
+    uint32_t* const counts = band.counts;
+    uint32_t* const lists = band.lists;
+    for (uint32_t b = 0, blocks = band.blocks; b < blocks; ++b) counts[b] = 0;
     const int32_t columns = int32_t(band.blocks * lanes);
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t n = band.band[i];
         const int32_t column = found.impacts[n].column, last = texels.width - 1 - column;
         const uint32_t begin = column < 0 ? uint32_t(-column) / lanes : 0;
         const uint32_t end = uint32_t(last < columns ? last : columns - 1) / lanes;
-        uint32_t* list = band.lists + size_t(begin) * band.limit;
-        for (uint32_t b = begin; b <= end; ++b, list += band.limit) list[band.counts[b]++] = n;
+        uint32_t* list = lists + begin * limit;
+        for (uint32_t b = begin; b <= end; ++b, list += limit) list[counts[b]++] = n;
     }
 }
 
-template <uint32_t taps> void splat_rows(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip)
-{
-    constexpr uint32_t rows = band_rows(taps);
-    const Band band = band_in(strip, found.count, taps);
-    const uint32_t near = select(found, nullptr, found.count, texels, taps, strip.first, strip.count, band.strip);
-    for (uint32_t y = 0; y < strip.count; y += rows) {
-        fill_lists(band, texels, found, select(found, band.strip, near, texels, taps, strip.first + y, rows, band.band));
-        const uint32_t height = strip.count - y < rows ? strip.count - y : rows;
+/// Rows y..y + height - 1 of a strip, one plane after another.
+template <uint32_t taps> struct Rows_of {
+    static void render(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip, const Band& band,
+                       uint32_t y, uint32_t height)
+    {
         for (uint32_t p = 0; p < splat.planes; ++p) {
             const float* plane = texels.data + p * texels.plane + int64_t(strip.first + y) * texels.row;
             for (uint32_t b = 0; b < band.blocks; ++b)
-                Gather<taps>::block(plane + b * lanes, texels.row, found, band.lists + size_t(b) * band.limit,
-                                    band.counts[b], band.sums + b * lanes, band.stride);
+                Gather<taps>::block(plane + b * lanes, texels.row, found, band.list(b), band.counts[b],
+                                    band.sums + b * lanes, band.stride);
             for (uint32_t r = 0; r < height; ++r) {
                 const float* sums = band.sums + size_t(r) * taps * band.stride;
                 float* out = strip.data + (size_t(p) * strip.count + y + r) * strip.stride;
-                const float offset = splat.offset[p];
                 for (uint32_t x = 0; x < strip.width; ++x) {
                     float f = sums[x];
                     for (uint32_t i = 1; i < taps; ++i) f = f + sums[i * band.stride + x + i];
-                    out[x] = f + offset;
+                    out[x] = f + splat.offset[p];
                 }
             }
         }
+    }
+};
+
+template <> struct Rows_of<2> {
+    static void render(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip, const Band& band,
+                       uint32_t y, uint32_t height)
+    {
+        for (uint32_t p = 0; p < splat.planes; ++p) {
+            const float* plane = texels.data + p * texels.plane + int64_t(strip.first + y) * texels.row;
+            float* out = strip.data + (size_t(p) * strip.count + y) * strip.stride;
+            Linear_block block = {found, texels.row, splat.offset[p], strip.stride, 0, {}};
+            for (uint32_t b = band.blocks; b-- > 0;) {
+                block.height = b * lanes < strip.width ? height : 0;
+                block.sum(plane + b * lanes, band.list(b), band.counts[b], out + b * lanes);
+            }
+        }
+    }
+};
+
+template <uint32_t taps> void splat_bands(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip)
+{
+    constexpr uint32_t rows = band_rows(taps);
+    Band band = band_in(strip, found.count, taps);
+    const uint32_t near = select(found, nullptr, found.count, texels, taps, strip.first, strip.count, band.strip);
+    for (uint32_t y = 0; y < strip.count; y += rows) {
+        fill_lists(band, texels, found, select(found, band.strip, near, texels, taps, strip.first + y, rows, band.band));
+        Rows_of<taps>::render(splat, texels, found, strip, band, y, strip.count - y < rows ? strip.count - y : rows);
     }
 }
 
 void splat_strip(const Splat& splat, uint32_t level, const Impacts& found, const Strip& strip)
 {
     const Texels& texels = splat.texels[level];
-    if (splat.taps == 1) splat_rows<1>(splat, texels, found, strip);
-    else if (splat.taps == 2) splat_rows<2>(splat, texels, found, strip);
-    else if (splat.taps == 4) splat_rows<4>(splat, texels, found, strip);
-    else splat_rows<6>(splat, texels, found, strip);
+    if (splat.taps == 1) splat_bands<1>(splat, texels, found, strip);
+    else if (splat.taps == 2) splat_bands<2>(splat, texels, found, strip);
+    else if (splat.taps == 4) splat_bands<4>(splat, texels, found, strip);
+    else splat_bands<6>(splat, texels, found, strip);
 }
