@@ -193,7 +193,11 @@ grep -q kept kept.png || bad "a failed render touched the old file"
 # Cancelling
 "$weft" render noise.weft -o cancelled.png --size 20000x20000 --quiet 2>err &
 child=$!
-sleep 0.5
+tries=0
+until ls cancelled.png.* >/dev/null 2>&1 || [ $tries -eq 300 ]; do
+    sleep 0.1
+    tries=$((tries + 1))
+done
 kill -TERM $child
 wait $child
 got=$?
