@@ -1,5 +1,6 @@
-/* weft_sheet EXEMPLAR TEXTON OUTPUT SHEET: a picture of what libweft did. From left to right the exemplar and the texton,
- * each magnified by a whole number to fill its panel, a window of the output at the exemplar's scale, and 4x of its centre. */
+/* weft_sheet SHEET {EXEMPLAR TEXTON OUTPUT}...: a picture of what libweft did, a row for each exemplar. From left to right the
+ * exemplar and the texton, magnified by a whole number to fill their panels, a window of the output at the exemplar's
+ * scale, and 4x of its centre. */
 #include <png.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -35,13 +36,13 @@ static int read_picture(const char *path, picture *out)
     return 1;
 }
 
-/* Copies the middle of `from`, each pixel `scale` by `scale` times, into the middle of the panel at column `left`. */
-static void place(picture *sheet, uint32_t left, uint32_t width, const picture *from, uint32_t scale)
+/* Copies the middle of `from`, each pixel `scale` by `scale` times, into the middle of the panel at (left, top). */
+static void place(picture *sheet, uint32_t left, uint32_t top, uint32_t width, const picture *from, uint32_t scale)
 {
     const uint32_t columns = from->width * scale < width ? from->width * scale : width;
     const uint32_t rows = from->height * scale < panel ? from->height * scale : panel;
     const uint32_t from_x = (from->width - columns / scale) / 2, from_y = (from->height - rows / scale) / 2;
-    const uint32_t to_x = left + (width - columns) / 2, to_y = gap + (panel - rows) / 2;
+    const uint32_t to_x = left + (width - columns) / 2, to_y = top + (panel - rows) / 2;
     for (uint32_t y = 0; y < rows; ++y)
         for (uint32_t x = 0; x < columns; ++x) {
             const size_t source = ((size_t)(from_y + y / scale) * from->width + from_x + x / scale) * 3;
@@ -68,23 +69,35 @@ static int write_picture(const char *path, const picture *p)
     return 0;
 }
 
+static int place_row(picture *sheet, uint32_t top, char **paths)
+{
+    picture exemplar, texton, output;
+    if (!read_picture(paths[0], &exemplar) || !read_picture(paths[1], &texton) || !read_picture(paths[2], &output)) return 0;
+    const uint32_t scale = fitting_scale(&exemplar);
+    place(sheet, gap, top, panel, &exemplar, scale);
+    place(sheet, 2 * gap + panel, top, panel, &texton, fitting_scale(&texton));
+    place(sheet, 3 * gap + 2 * panel, top, 2 * panel, &output, scale);
+    place(sheet, 4 * gap + 4 * panel, top, panel, &output, scale * zoom);
+    free(exemplar.rgb);
+    free(texton.rgb);
+    free(output.rgb);
+    return 1;
+}
+
 int main(int count, char **arguments)
 {
-    picture exemplar, texton, output, sheet;
-    if (count != 5) {
-        fprintf(stderr, "usage: weft_sheet EXEMPLAR TEXTON OUTPUT SHEET\n");
+    picture sheet;
+    const uint32_t rows = count > 2 ? (uint32_t)(count - 2) / 3 : 0;
+    if (rows == 0 || (uint32_t)count != 2 + 3 * rows) {
+        fprintf(stderr, "usage: weft_sheet SHEET {EXEMPLAR TEXTON OUTPUT}...\n");
         return 2;
     }
-    if (!read_picture(arguments[1], &exemplar) || !read_picture(arguments[2], &texton) || !read_picture(arguments[3], &output)) return 1;
     sheet.width = 5 * panel + 5 * gap;
-    sheet.height = panel + 2 * gap;
+    sheet.height = rows * (panel + gap) + gap;
     sheet.rgb = malloc((size_t)sheet.width * sheet.height * 3);
     if (!sheet.rgb) return 1;
     memset(sheet.rgb, 255, (size_t)sheet.width * sheet.height * 3);
-    const uint32_t scale = fitting_scale(&exemplar);
-    place(&sheet, gap, panel, &exemplar, scale);
-    place(&sheet, 2 * gap + panel, panel, &texton, fitting_scale(&texton));
-    place(&sheet, 3 * gap + 2 * panel, 2 * panel, &output, scale);
-    place(&sheet, 4 * gap + 4 * panel, panel, &output, scale * zoom);
-    return write_picture(arguments[4], &sheet) ? 0 : 1;
+    for (uint32_t i = 0; i < rows; ++i)
+        if (!place_row(&sheet, gap + i * (panel + gap), arguments + 2 + 3 * i)) return 1;
+    return write_picture(arguments[1], &sheet) ? 0 : 1;
 }

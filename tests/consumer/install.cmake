@@ -1,4 +1,5 @@
 # Installs into one folder, checks what is there, and moves it to another.
+cmake_minimum_required(VERSION 3.25)
 set(first ${BINARY}/first)
 file(REMOVE_RECURSE ${first} ${STAGE})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${first} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

@@ -1,7 +1,7 @@
 # What a library must not do to the program it lives in: end it, print into its streams, jump over its frames, share its
 # hidden state, start programs, or read its environment where a privileged program must not.
-# What compilers and the C++ runtime bring along is theirs: __stack_chk_fail, std::terminate, __assert_fail of NDEBUG-less
-# standard headers shows as an undefined symbol too, and that one is banned.
+# What compilers bring along is theirs: __stack_chk_fail, std::terminate behind noexcept, and the C++ runtime that is linked.
+cmake_minimum_required(VERSION 3.25)
 set(banned
   abort exit _exit _Exit quick_exit atexit on_exit __assert_fail raise kill            # ends the program, or runs when it ends
   printf fprintf vprintf vfprintf puts fputs putchar putc fputc fwrite perror stdout stderr stdin

@@ -1,5 +1,6 @@
 # libweft itself runs on every x86-64: outside the objects of a level there is no instruction with a VEX or EVEX prefix.
 # Their mnemonics, and no others of this CPU family that a compiler emits, begin with a v.
+cmake_minimum_required(VERSION 3.25)
 foreach(level ${LEVELS})
   get_filename_component(name ${level} NAME)
   list(APPEND exempt ${name})

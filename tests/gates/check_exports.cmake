@@ -1,4 +1,5 @@
 # libweft.so exports what src/libweft.map lists, which is what weft.h declares; a plug-in exports its one table.
+cmake_minimum_required(VERSION 3.25)
 function(exports_of binary result)
   execute_process(COMMAND ${NM} -D --defined-only --format=posix ${binary} OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "(^|\n)[^ \n]+ [A-Za-z]" lines "${listing}")

@@ -1,5 +1,6 @@
 # An object compiled for an instruction set defines one global symbol, its table, and no weak one (an inline function or
 # template) that the linker could keep for all other objects.
+cmake_minimum_required(VERSION 3.25)
 foreach(object ${OBJECTS})
   execute_process(COMMAND ${NM} --defined-only --extern-only --format=posix ${object} OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "[^\n]+" symbols "${listing}")

@@ -1,5 +1,5 @@
 # Who may include whom: data flows from analysis to synthesis through the model alone, and plug-ins know backend.h alone.
-cmake_policy(SET CMP0057 NEW)
+cmake_minimum_required(VERSION 3.25)
 # layer -> what its #include "..." lines may begin with. The layer's own folder is always allowed.
 set(may_src/base "")
 set(may_src/model base)

@@ -1,4 +1,5 @@
 # The soname carries the major version; nothing is looked up where the build happened; a plug-in does not need libweft.
+cmake_minimum_required(VERSION 3.25)
 function(dynamic_of binary result)
   execute_process(COMMAND ${OBJDUMP} -p ${binary} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
   set(${result} "${text}" PARENT_SCOPE)

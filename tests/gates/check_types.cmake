@@ -1,4 +1,5 @@
 # The types and functions of libweft.so against the recorded ones, by libabigail. With UPDATE they are recorded anew.
+cmake_minimum_required(VERSION 3.25)
 find_program(ABIDW abidw REQUIRED)
 find_program(ABIDIFF abidiff REQUIRED)
 set(now ${LIBRARY}.abi)
