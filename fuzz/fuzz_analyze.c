@@ -1,4 +1,4 @@
-/* A small image and arbitrary options: analysis and comparison end with a status, within 64 MiB. The first 40 bytes are
+/* A small image and arbitrary options: analysis and comparison end with a status, within 64 MiB. The first 36 bytes are
  * options and sizes, pixels follow. */
 #include "fuzz.h"
 

@@ -3,7 +3,7 @@
 # What compilers bring along is theirs: __stack_chk_fail, std::terminate behind noexcept, and the C++ runtime that is linked.
 cmake_minimum_required(VERSION 3.25)
 set(banned
-  abort exit _exit _Exit quick_exit atexit on_exit __assert_fail raise kill            # ends the program, or runs when it ends
+  abort exit _exit _Exit quick_exit atexit __cxa_atexit __cxa_thread_atexit on_exit __assert_fail raise kill # ends the program, or runs when it ends
   printf fprintf vprintf vfprintf puts fputs putchar putc fputc fwrite perror stdout stderr stdin
   __printf_chk __fprintf_chk __vfprintf_chk write _ZSt4cout _ZSt4cerr _ZSt4clog _ZNSt8ios_base4InitC1Ev # speaks
   sprintf vsprintf gets strcpy strcat __strcpy_chk __strcat_chk __sprintf_chk          # writes without bounds
