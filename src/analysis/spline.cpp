@@ -1,5 +1,6 @@
 /// B-spline samples, their spectrum, and the banded Cholesky solver.
 #include "analysis/spline.h"
+#include <algorithm>
 #include <cmath>
 
 namespace weft {
@@ -30,70 +31,65 @@ Array<float> spline_spectrum(std::pmr::memory_resource* memory, const SplineSamp
     return spectrum;
 }
 
-SplineSolver::SplineSolver(Core& core, const SplineSamples& samples, std::uint32_t support)
-    : core_(core), support_(support), band_(samples.count - 1), factor_(&core.memory, std::size_t{support} * samples.count)
+AxisFactor::AxisFactor(std::pmr::memory_resource* memory, const SplineSamples& samples, std::uint32_t length, std::uint32_t support)
+    : support_(support), first_(memory, support), diagonal_(memory, support)
 {
-    Array<double> lower(&core.memory, factor_.size()); // lower[i * count + d] = L(i, i - d)
-    const std::uint32_t count = samples.count;
-    for (std::uint32_t i = 0; i < support; ++i)
-        for (std::uint32_t d = i < band_ ? i : band_;; --d) {
-            double sum = samples.values[d];
-            for (std::uint32_t e = d + 1; e <= band_ && e <= i; ++e)
-                sum -= lower[i * count + e] * lower[(i - d) * count + e - d];
-            lower[i * count + d] = d ? sum / lower[(i - d) * count] : std::sqrt(sum);
-            factor_[i * count + d] = static_cast<float>(d ? lower[i * count + d] : 1 / lower[i * count]);
-            if (d == 0) break;
+    Array<double> folded(memory, length); // b at each distance along the axis, which is a circle
+    for (std::uint32_t d = 0; d < samples.count; ++d) {
+        folded[d % length] += samples.values[d];
+        if (d) folded[(std::uint64_t{length} * samples.count - d) % length] += samples.values[d];
+    }
+    std::size_t size = 0;
+    for (std::uint32_t i = 0; i < support; ++i) {
+        while (folded[i - first_[i]] == 0) ++first_[i];
+        size += i - first_[i] + 1;
+        diagonal_[i] = size - 1;
+    }
+    Array<double> lower(memory, size);
+    factor_ = Array<float>(memory, size);
+    const auto row = [&](std::uint32_t i) { return lower.data() + diagonal_[i] - i; }; // row(i)[j] is L(i, j)
+    for (std::uint32_t i = 0; i < support; ++i) {
+        for (std::uint32_t j = first_[i]; j <= i; ++j) {
+            double sum = folded[i - j];
+            for (std::uint32_t k = std::max(first_[i], first_[j]); k < j; ++k) sum -= row(i)[k] * row(j)[k];
+            row(i)[j] = i == j ? std::sqrt(sum) : sum / row(j)[j];
+            factor_[diagonal_[i] - i + j] = static_cast<float>(i == j ? 1 / row(i)[j] : row(i)[j]);
         }
+    }
+}
+
+void AxisFactor::solve(float* values, std::size_t step, std::uint32_t count) const noexcept
+{
+    const auto eliminate = [=](std::uint32_t to, std::uint32_t from, float factor) {
+        for (std::uint32_t k = 0; k < count; ++k) values[to * step + k] -= factor * values[from * step + k];
+    };
+    const auto divide = [&](std::uint32_t i) {
+        for (std::uint32_t k = 0; k < count; ++k) values[i * step + k] *= factor_[diagonal_[i]];
+    };
+    for (std::uint32_t i = 0; i < support_; ++i) {
+        for (std::uint32_t j = first_[i]; j < i; ++j) eliminate(i, j, factor_[diagonal_[i] - i + j]);
+        divide(i);
+    }
+    for (std::uint32_t i = support_; i-- > 0;) {
+        divide(i);
+        for (std::uint32_t j = first_[i]; j < i; ++j) eliminate(j, i, factor_[diagonal_[i] - i + j]);
+    }
+}
+
+SplineSolver::SplineSolver(Core& core, const SplineSamples& samples, std::uint32_t width, std::uint32_t height, std::uint32_t support)
+    : core_(core), support_(support), along_x_(&core.memory, samples, width, support), along_y_(&core.memory, samples, height, support)
+{
 }
 
 void SplineSolver::solve(Planes& planes) const
 {
-    if (band_ == 0) return;
     for (std::uint32_t c = 0; c < planes.count; ++c) {
         for_each_run(core_.parallel, support_, [&](std::uint32_t first, std::uint32_t last) {
-            for (std::uint32_t y = first; y < last; ++y) solve_row(planes.row(c, y));
+            for (std::uint32_t y = first; y < last; ++y) along_x_.solve(planes.row(c, y), 1, 1);
         });
         for_each_run(core_.parallel, support_, [&](std::uint32_t first, std::uint32_t last) {
-            solve_columns(planes.plane(c), first, last);
+            along_y_.solve(planes.plane(c) + first, support_, last - first);
         });
-    }
-}
-
-void SplineSolver::solve_row(float* row) const noexcept
-{
-    const std::uint32_t count = band_ + 1;
-    for (std::uint32_t i = 0; i < support_; ++i) {
-        float value = row[i];
-        for (std::uint32_t d = 1; d <= band_ && d <= i; ++d) value -= factor_[i * count + d] * row[i - d];
-        row[i] = value * factor_[i * count];
-    }
-    for (std::uint32_t i = support_; i-- > 0;) {
-        float value = row[i];
-        for (std::uint32_t d = 1; d <= band_ && i + d < support_; ++d) value -= factor_[(i + d) * count + d] * row[i + d];
-        row[i] = value * factor_[i * count];
-    }
-}
-
-void SplineSolver::solve_columns(float* plane, std::uint32_t first, std::uint32_t last) const noexcept
-{
-    const std::uint32_t count = band_ + 1;
-    const auto row = [&](std::uint32_t y) { return plane + std::size_t{y} * support_; };
-    const auto eliminate = [&](std::uint32_t to, std::uint32_t from, float factor) {
-        float* a = row(to);
-        const float* b = row(from);
-        for (std::uint32_t x = first; x < last; ++x) a[x] -= factor * b[x];
-    };
-    const auto divide = [&](std::uint32_t y) {
-        float* a = row(y);
-        for (std::uint32_t x = first; x < last; ++x) a[x] *= factor_[y * count];
-    };
-    for (std::uint32_t i = 0; i < support_; ++i) {
-        for (std::uint32_t d = 1; d <= band_ && d <= i; ++d) eliminate(i, i - d, factor_[i * count + d]);
-        divide(i);
-    }
-    for (std::uint32_t i = support_; i-- > 0;) {
-        for (std::uint32_t d = 1; d <= band_ && i + d < support_; ++d) eliminate(i, i + d, factor_[(i + d) * count + d]);
-        divide(i);
     }
 }
 

@@ -45,14 +45,16 @@ Target make_target(Core& core, Planes planes, const SplineSamples& samples, cons
     target.centring = centre(core, planes);
     target.spectra = Spectra(&core.memory, planes.width, planes.height, planes.count);
     const PlaneTransform transform(core, planes.width, planes.height);
-    for (std::uint32_t c = 0; c < planes.count; ++c) {
-        progress.at((c + 0.5) / (planes.count + 2));
+    const std::uint32_t count = planes.count;
+    const double steps = count + 2.0;
+    for (std::uint32_t c = 0; c < count; ++c) {
+        progress.at(c / steps);
         transform.forward(planes.plane(c), target.spectra, c);
     }
-    progress.at(planes.count / (planes.count + 2.0));
+    progress.at(count / steps);
     keep_periodic_component(core, planes, target.spectra);
     planes = Planes();
-    progress.at((planes.count + 1.0) / (planes.count + 2));
+    progress.at((count + 1) / steps);
     weigh(core, target, samples);
     progress.at(1);
     return target;

@@ -56,20 +56,18 @@ void project_plainly(Projection& projection, const Choices& choices, Planes& coe
 
 /// The same alternation with three changes, each of which lowers the model error that it ends with.
 /// - The support's projection is the one in the norm of b^, in which the model error is measured: least squares for the
-///   phases of the last spectral projection, solved by `solver`. (Where b reaches around the photo's border, so that the
-///   solver's matrix is not b, it stays Algorithm 1's.)
+///   phases of the last spectral projection.
 /// - Each step starts from a point beyond the last (Nesterov 1983).
 /// - Phases are eased in: a frequency whose product with the target is weak counts less at first, so that it does not hold
 ///   the strong ones in a poor local minimum.
 void project_fast(Core& core, Projection& projection, const Choices& choices, const Target& target, const SplineSamples& samples,
                   Planes& coefficients, Planes& step, const Progress& progress)
 {
-    const std::uint32_t side = std::min(target.spectra.width, target.spectra.height), size = choices.support;
-    const bool wraps = size + samples.count - 1 > side;
-    const SplineSolver solver(core, samples, size);
+    const std::uint32_t size = choices.support, width = target.spectra.width, height = target.spectra.height;
+    const SplineSolver solver(core, samples, width, height, size);
     Planes ahead(&core.memory, size, size, coefficients.count);
     std::copy(coefficients.values.begin(), coefficients.values.end(), ahead.values.begin());
-    const double mean_square = target.power() / target.spectra.width / target.spectra.height;
+    const double mean_square = target.power() / width / height;
     for (std::uint32_t i = 1; i < choices.iterations; ++i) {
         progress.at(static_cast<double>(i) / choices.iterations);
         const float momentum = static_cast<float>(i) / static_cast<float>(i + 3);
@@ -79,11 +77,9 @@ void project_fast(Core& core, Projection& projection, const Choices& choices, co
         }
         const double left = 1 - static_cast<double>(i) / choices.iterations;
         const float smoothing = static_cast<float>(10 * mean_square * left * left * left * left);
-        projection.apply(wraps ? Projection::algorithm_1 : Projection::least_squares, smoothing, ahead, step);
-        if (!wraps) {
-            solver.solve(step);
-            for (std::size_t k = 0; k < step.values.size(); ++k) step.values[k] += ahead.values[k];
-        }
+        projection.apply(Projection::least_squares, smoothing, ahead, step);
+        solver.solve(step);
+        for (std::size_t k = 0; k < step.values.size(); ++k) step.values[k] += ahead.values[k];
         std::swap(ahead, coefficients); // `ahead` <- the coefficients now, and these <- the step
         std::swap(coefficients, step);
     }
