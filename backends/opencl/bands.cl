@@ -10,12 +10,12 @@ typedef struct Range {
     weft_u32 first, last;
 } Range;
 
-static Range range_on(Range range, global const ImpactLayout* impacts, weft_u32 end, weft_i32 x, weft_i32 width,
-                      weft_i32 jitter)
+static inline Range range_on(Range range, global const weft_i32* impacts, weft_u32 end, weft_i32 x, weft_i32 width,
+                             weft_i32 jitter, size_t words)
 {
-    while (range.first < end && impacts[range.first].column + x >= width) ++range.first;
+    while (range.first < end && impacts[range.first * words] + x >= width) ++range.first;
     range.last = max(range.last, range.first);
-    while (range.last < end && impacts[range.last].column + x + jitter > -WEFT_BLOCK_COLUMNS) ++range.last;
+    while (range.last < end && impacts[range.last * words] + x + jitter > -WEFT_BLOCK_COLUMNS) ++range.last;
     return range;
 }
 
@@ -25,7 +25,7 @@ static Range range_on(Range range, global const ImpactLayout* impacts, weft_u32 
 static inline void add_linear8(float8* sum, global const float* texel, size_t stride, global const float* weight,
                                int rows)
 {
-    const float8 w0 = weight[0], w1 = weight[1], rho = weight[2];
+    const float8 rho = weight[2], w0 = weight[0], w1 = weight[1];
     float8 above = vload8(0, texel);
 #pragma unroll
     for (int r = 0; r < rows; ++r) {
@@ -60,28 +60,28 @@ static inline void store_block(global float* to, const float8* sum, SumsLayout b
 }
 
 static inline void splat_segment(global const LevelLayout* level, global const float* texels,
-                                 global const ImpactLayout* impacts, global const float* weights,
-                                 global const weft_u32* bands, global float* sums, SumsLayout blocks, int rows,
+                                 global const weft_i32* impacts, global const weft_u32* bands, global float* sums, SumsLayout blocks, int rows,
                                  int taps)
 {
     const weft_u32 segment = get_global_id(0), band = get_global_id(1), plane = get_global_id(2);
     const weft_u32 stop = min((segment + 1) * blocks.segment, blocks.blocks), end = bands[band + 1];
     const weft_i32 width = (weft_i32)level->width;
-    const size_t stride = level->stride;
+    const size_t stride = level->stride, words = WEFT_IMPACT_WORDS(taps);
     global const float* texton = texels + (size_t)level->offset * 4 + (size_t)plane * level->plane_step;
     global float* to = sums + (size_t)plane * taps * blocks.step + (size_t)band * rows * blocks.stride;
     Range range = {bands[band], bands[band]};
     for (weft_u32 block = segment * blocks.segment; block < stop; ++block) {
         const weft_i32 x = (weft_i32)(block * WEFT_BLOCK_COLUMNS);
-        range = range_on(range, impacts, end, x, width, blocks.jitter);
+        range = range_on(range, impacts, end, x, width, blocks.jitter, words);
         float8 sum[12];
 #pragma unroll
         for (int i = 0; i < rows * taps; ++i) sum[i] = 0.0f;
         for (weft_u32 i = range.first; i < range.last; ++i) {
             /* Impacts beyond the block's sides read the zeros between rows. */
-            const weft_i32 k = clamp(impacts[i].column + x, -WEFT_BLOCK_COLUMNS, width);
-            global const float* texel = texton + impacts[i].row + k;
-            global const float* weight = weights + (size_t)i * WEFT_BLOCK_WEIGHTS(taps);
+            global const weft_i32* impact = impacts + i * words;
+            const weft_i32 k = clamp(impact[0] + x, -WEFT_BLOCK_COLUMNS, width);
+            global const float* texel = texton + impact[1] + k;
+            global const float* weight = (global const float*)(impact + 2);
             if (taps == 2)
                 add_linear8(sum, texel, stride, weight, rows);
             else
@@ -93,11 +93,10 @@ static inline void splat_segment(global const LevelLayout* level, global const f
 
 #define SPLAT_BANDS(taps)                                                                                              \
     kernel __attribute__((reqd_work_group_size(1, 1, 1))) void splat_bands_##taps(                                     \
-        global const LevelLayout* levels, global const float* texels, global const ImpactLayout* impacts,              \
-        global const float* weights, global const weft_u32* bands, global float* sums, SumsLayout blocks)              \
+        global const LevelLayout* levels, global const float* texels, global const weft_i32* impacts,                  \
+        global const weft_u32* bands, global float* sums, SumsLayout blocks)                                           \
     {                                                                                                                  \
-        splat_segment(levels + blocks.index, texels, impacts, weights, bands, sums, blocks, WEFT_BLOCK_ROWS(taps),     \
-                      taps);                                                                                           \
+        splat_segment(levels + blocks.index, texels, impacts, bands, sums, blocks, WEFT_BLOCK_ROWS(taps), taps);       \
     }
 
 SPLAT_BANDS(1)

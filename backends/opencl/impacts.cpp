@@ -2,6 +2,7 @@
 #include "opencl/impacts.h"
 #include "opencl/walk.h"
 #include <algorithm>
+#include <cstring>
 
 namespace weft::opencl {
 
@@ -103,17 +104,17 @@ void Impacts::deal(const LayerLayout& layer, const LevelLayout& level, std::uint
         for (weft_i32 band = to.first; band <= to.last; ++band) ++bands_[static_cast<std::size_t>(band) + 2];
     }
     for (std::size_t i = 2; i < bands_.size(); ++i) bands_[i] += bands_[i - 1];
-    const std::size_t count = WEFT_BLOCK_WEIGHTS(layer.taps);
-    places_.resize(bands_.back());
-    weights_.resize(bands_.back() * count);
+    const std::size_t words = WEFT_IMPACT_WORDS(layer.taps);
+    list_.resize(bands_.back() * words);
     // bands_[b + 1] walks from the beginning of band b to its end, which is the beginning of the next.
     for (const Reaching& impact : reaching_) {
         const Reached to(impact.row, texton_height, band_count, rows, taps);
         for (weft_i32 band = to.first; band <= to.last; ++band) {
-            const std::size_t entry = bands_[static_cast<std::size_t>(band) + 1]++;
+            weft_u32* entry = list_.data() + bands_[static_cast<std::size_t>(band) + 1]++ * words;
             const auto row = impact.row + band * rows + static_cast<weft_i32>(level.frame_y);
-            places_[entry] = {impact.column, row * stride + static_cast<weft_i32>(level.frame_x)};
-            std::copy(impact.weights, impact.weights + count, weights_.data() + entry * count);
+            entry[0] = static_cast<weft_u32>(impact.column);
+            entry[1] = static_cast<weft_u32>(row * stride + static_cast<weft_i32>(level.frame_x));
+            std::memcpy(entry + 2, impact.weights, (words - 2) * sizeof(float));
         }
     }
 }

@@ -10,10 +10,11 @@
 /* A block of splat_bands: as many columns as a vector holds, and as many rows as let the sums of a number of taps stay
  * in 16 registers, beside weights and texels. */
 #define WEFT_BLOCK_COLUMNS 8
-#define WEFT_BLOCK_ROWS(taps) ((taps) == 1 ? 8 : (taps) == 2 ? 5 : (taps) == 4 ? 2 : 1)
+#define WEFT_BLOCK_ROWS(taps) ((taps) == 1 ? 8 : (taps) == 2 ? 4 : (taps) == 4 ? 2 : 1)
 
-/* Numbers per impact: of two taps w0, w1, rho; otherwise the weights of x times the sign, then those of y. */
-#define WEFT_BLOCK_WEIGHTS(taps) ((taps) == 2 ? 3 : 2 * (taps))
+/* Words of an impact in a band's list: the texel column under the window's first pixel; where the framed row of texels
+ * under the band's first row begins; then floats: of two taps w0, w1, rho, else x's weights times the sign, y's weights. */
+#define WEFT_IMPACT_WORDS(taps) ((taps) == 2 ? 5 : 2 + 2 * (taps))
 
 #define WEFT_SAMPLES 16 /* that layer_sum finishes at once: the field's stride is a multiple of it */
 
@@ -65,12 +66,6 @@ typedef struct LayerLayout {
     weft_u32 colour, mean; /* where in numbers */
     weft_u32 zero;
 } LayerLayout;
-
-/* An impact as a band sees it; its weights are in a list of their own. */
-typedef struct ImpactLayout {
-    weft_i32 column; /* texel under the window's first pixel */
-    weft_i32 row;    /* start of the framed row of texels under the band's first row, frame on the left left out */
-} ImpactLayout;
 
 /* Where samples are: spots, or the pixels of a window. */
 typedef struct SamplesLayout {

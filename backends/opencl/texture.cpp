@@ -222,11 +222,9 @@ SumsLayout Texture::splat_bands(Workspace& work, const LayerLayout& layer, const
     if (window.level >= layer.levels) return blocks; // layer_sum takes f = 0
     blocks.index = layer.first_level + window.level;
     work.impacts.collect(layer, tables_.levels[blocks.index], tables_.words.data() + layer.counts, window);
-    const auto& places = work.impacts.places();
-    const auto& weights = work.impacts.weights();
+    const auto& list = work.impacts.list();
     const auto& begins = work.impacts.bands();
-    const cl_mem impacts = send(work, work.places, places.data(), places.size() * sizeof places[0]);
-    const cl_mem factors = send(work, work.weights, weights.data(), weights.size() * sizeof weights[0]);
+    const cl_mem impacts = send(work, work.lists, list.data(), list.size() * sizeof list[0]);
     const cl_mem bands = send(work, work.bands, begins.data(), begins.size() * sizeof begins[0]);
     const std::size_t band_count = begins.size() - 2;
     blocks.blocks = padded_stride(window.width) / WEFT_BLOCK_COLUMNS + 1;
@@ -238,7 +236,7 @@ SumsLayout Texture::splat_bands(Workspace& work, const LayerLayout& layer, const
     const cl_mem levels = levels_.get(), texels = texels_.get();
     const std::size_t segments = (blocks.blocks + blocks.segment - 1) / blocks.segment;
     work.splat_bands[layer.taps / 2].enqueue(work.queue.get(), {segments, band_count, layer.planes}, 1, levels, texels,
-                                             impacts, factors, bands, sums, blocks);
+                                             impacts, bands, sums, blocks);
     return blocks;
 }
 

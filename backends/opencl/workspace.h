@@ -44,7 +44,7 @@ struct Workspace {
     Queue queue;
     Task splat_gather, tile_gather, layer_sum;
     Task splat_bands[4]; ///< of 1, 2, 4 and 6 taps
-    Scratch field, sums, places, weights, bands, spots, out;
+    Scratch field, sums, lists, bands, spots, out;
     Impacts impacts;
 };
 
