@@ -1,47 +1,64 @@
 /// SPLAT at a point in vectors. Included by rows.inl, inside its unnamed namespace.
 ///
-/// In three steps, each a loop over arrays: the keys and counts of the cells that can reach, the impacts of those cells,
-/// the texels of the impacts that do reach, which lie four planes side by side, with zeros around.
+/// In three steps, each a loop over arrays: the keys and counts of the cells that can reach, the impacts of those
+/// cells, the texels of the impacts that do reach, which lie four planes side by side, with zeros around.
 
+constexpr uint32_t chunk = lanes > 8 ? lanes : 8; ///< loops take so many at once, and arrays are filled up with zeros
 constexpr uint32_t most_cells = 64, most_candidates = 256;
 
-typedef float Quad __attribute__((vector_size(16)));
-typedef float Pair __attribute__((vector_size(32))); ///< two texels
+typedef float Pair __attribute__((vector_size(32))); ///< two texels of four planes
+typedef uint64_t States __attribute__((vector_size(32)));
+typedef int32_t Four __attribute__((vector_size(16)));
 
-/// Cells around a point, in canonical order. Pixels are relative to that of the point.
+inline uint32_t whole_chunks(uint32_t count) { return (count + chunk - 1) / chunk * chunk; }
+
+template <class T> inline void put(const T& value, void* to) { __builtin_memcpy(to, &value, sizeof value); }
+
+/// A stretch of one axis of cells. Pixels are relative to that of the point.
+struct Axis {
+    uint32_t count;
+    uint64_t number[most_cells + 4];
+    int32_t begin[most_cells + 4];
+    int32_t pixels[most_cells + 4];
+};
+
+/// Cells around a point, in canonical order.
 struct Cells {
     uint32_t count;
-    alignas(64) uint64_t column[most_cells]; ///< key of the column of cells
-    alignas(64) uint64_t number[most_cells];
-    alignas(64) uint64_t key[most_cells];
-    alignas(64) uint32_t high[most_cells];
-    alignas(64) uint32_t impacts[most_cells];
-    alignas(64) int32_t x[most_cells], y[most_cells];
-    alignas(64) int32_t pixels_x[most_cells], pixels_y[most_cells];
+    alignas(64) uint64_t key[most_cells + chunk]; ///< at first what the last step of the key is made of
+    alignas(64) uint32_t high[most_cells + chunk];
+    alignas(64) uint32_t impacts[most_cells + chunk];
+    alignas(64) int32_t x[most_cells + chunk], y[most_cells + chunk];
+    alignas(64) int32_t pixels_x[most_cells + chunk], pixels_y[most_cells + chunk]; ///< only if some cells are cut
 };
 
-/// Impacts of cells; what follows `low` is computed from what precedes it.
+/// Impacts of cells: `state` is what their number is made of, x and y their cell, then their pixel.
 struct Candidates {
     uint32_t count;
-    alignas(64) uint64_t state[most_candidates];
-    alignas(64) int32_t x[most_candidates], y[most_candidates];
-    alignas(64) int32_t pixels_x[most_candidates], pixels_y[most_candidates];
-    alignas(64) uint32_t low[most_candidates], high[most_candidates];
-    alignas(64) float tx[most_candidates], ty[most_candidates], sign[most_candidates];
-    alignas(64) float w0[most_candidates], w1[most_candidates], rho[most_candidates];
-    alignas(64) int32_t origin[most_candidates];
-    alignas(64) int32_t reaches[most_candidates];
-    uint32_t hits[most_candidates];
+    alignas(64) uint64_t state[most_candidates + chunk];
+    alignas(64) int32_t x[most_candidates + chunk], y[most_candidates + chunk];
+    alignas(64) int32_t pixels_x[most_candidates + chunk], pixels_y[most_candidates + chunk];
+    alignas(64) uint32_t low[most_candidates + chunk], high[most_candidates + chunk];
+    alignas(64) float tx[most_candidates + chunk], ty[most_candidates + chunk], sign[most_candidates + chunk];
+    alignas(64) float w0[most_candidates + chunk], w1[most_candidates + chunk], rho[most_candidates + chunk];
+    alignas(64) int32_t origin[most_candidates + chunk];
+    alignas(64) uint32_t reaches[most_candidates + chunk];
+    uint32_t hits[most_candidates + chunk];
 };
 
-/// A point being evaluated. Accumulators: two of four planes in `pairs`, or taps of four planes in `quads`.
+/// A point being evaluated.
 struct Point {
+    Point(const Splat& s, uint32_t l, const weft_spot& at, bool is_cut)
+        : splat(s), texels(s.texels[l]), spot(at), level(l), groups((s.planes + 3) / 4), cut(is_cut)
+    {
+    }
+
     const Splat& splat;
     const Texels& texels;
     const weft_spot& spot;
     uint32_t level, groups;
-    Pair pairs[10];
-    Quad quads[10][6];
+    bool cut;                           ///< some cells are cut by the period
+    alignas(32) float sums[10 * 6 * 4]; ///< of group g of four planes: tap i of plane p at (g * taps + i) * 4 + p
 };
 
 /// weft_distance and weft_taps_at in 32 bits, which is exact where the impact can reach: |pixels| is below 2^30.
@@ -66,11 +83,12 @@ inline Place place_at(int32_t pixels, int32_t fraction, uint32_t level, uint32_t
 template <uint32_t taps> void locate_candidates(const Point& point, Candidates& c)
 {
     const Texels& texels = point.texels;
-    const uint32_t shift = 16 - point.splat.cell_log2, level = point.level, signs = point.splat.signs, count = c.count;
+    const uint32_t shift = 16 - point.splat.cell_log2, level = point.level, signs = point.splat.signs;
     const int32_t fx = int32_t(point.spot.fraction[0]), fy = int32_t(point.spot.fraction[1]);
-    const int32_t before = taps > 2 ? int32_t(taps) / 2 - 1 : 0, reach = int32_t(taps) - 1;
-    const int32_t left = texels.x + before, top = texels.y + before, width = texels.width, height = texels.height;
-    const int32_t row_pitch = int32_t(texels.row);
+    const int32_t before = taps > 2 ? int32_t(taps) / 2 - 1 : 0;
+    const int32_t left = texels.x + before, top = texels.y + before, pitch = int32_t(texels.row);
+    const uint32_t reach = taps - 1, width = uint32_t(texels.width) + reach, height = uint32_t(texels.height) + reach;
+    const uint32_t count = whole_chunks(c.count);
     for (uint32_t n = 0; n < count; ++n) {
         const uint64_t z = weft_mix(c.state[n]);
         c.low[n] = weft_low(z);
@@ -78,16 +96,14 @@ template <uint32_t taps> void locate_candidates(const Point& point, Candidates& 
     }
     for (uint32_t n = 0; n < count; ++n) {
         const uint32_t ax = c.low[n] >> shift, ay = c.high[n] >> shift;
-        const int32_t px = int32_t(ax >> 16), py = int32_t(ay >> 16);
-        const int32_t x = c.x[n] + px, y = c.y[n] + py;
+        const int32_t x = c.x[n] + int32_t(ax >> 16), y = c.y[n] + int32_t(ay >> 16);
         const Place at_x = place_at(-x, fx - int32_t(((ax & 0xffff) * 2 + 1) << 7), level, taps);
         const Place at_y = place_at(-y, fy - int32_t(((ay & 0xffff) * 2 + 1) << 7), level, taps);
         const int32_t column = at_x.first - left, row = at_y.first - top;
         c.x[n] = x;
         c.y[n] = y;
-        c.reaches[n] = (px < c.pixels_x[n]) & (py < c.pixels_y[n]) & (column >= -reach) & (column < width) &
-                       (row >= -reach) & (row < height);
-        c.origin[n] = int32_t(uint32_t(row) * uint32_t(row_pitch) + uint32_t(column) * 4u);
+        c.reaches[n] = uint32_t((uint32_t(column) + reach < width) & (uint32_t(row) + reach < height));
+        c.origin[n] = int32_t(uint32_t(row) * uint32_t(pitch) + uint32_t(column) * 4u);
         const float sign = 1.0f - 2.0f * float(int32_t(c.low[n] & signs));
         if (taps == 2) {
             const weft_weights2 w = weft_linear(at_x.t, at_y.t, sign);
@@ -100,6 +116,10 @@ template <uint32_t taps> void locate_candidates(const Point& point, Candidates& 
             c.sign[n] = sign;
         }
     }
+    if (!point.cut) return;
+    for (uint32_t n = 0; n < c.count; ++n)
+        c.reaches[n] &= uint32_t((int32_t((c.low[n] >> shift) >> 16) < c.pixels_x[n]) &
+                                 (int32_t((c.high[n] >> shift) >> 16) < c.pixels_y[n]));
 }
 
 const float* texel_under(const Point& point, const Candidates& c, uint32_t n)
@@ -124,100 +144,145 @@ inline Pair fma_pair(const Pair& a, const Pair& b, const Pair& c)
     return sum;
 }
 
-inline void add_linear(Point& point, const Candidates& c, uint32_t n)
+/// Adds one impact to one group of planes, whose accumulators are the two halves of `sum`.
+inline Pair add_linear(const float* from, int64_t row, const Candidates& c, uint32_t n, const Pair& sum)
 {
-    const float* from = texel_under(point, c, n);
     const float w0 = c.w0[n], w1 = c.w1[n];
     const Pair w = {w0, w0, w0, w0, w1, w1, w1, w1}, rho = c.rho[n] - Pair{};
-    for (uint32_t g = 0; g < point.groups; ++g, from += point.texels.plane)
-        point.pairs[g] = fma_pair(w, fma_pair(rho, load_pair(from + point.texels.row), load_pair(from)), point.pairs[g]);
+    return fma_pair(w, fma_pair(rho, load_pair(from + row), load_pair(from)), sum);
 }
 
-/// The same for one group of planes, whose accumulators stay in a register.
-inline void add_linear(Point& point, const Candidates& c, const uint32_t* hits, uint32_t count)
+void add_linear(Point& point, const Candidates& c, uint32_t count)
 {
-    const float* data = point.texels.data;
     const int64_t row = point.texels.row;
-    Pair sum = point.pairs[0];
-    for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t n = hits[i];
-        const float* from = data + c.origin[n];
-        const float w0 = c.w0[n], w1 = c.w1[n];
-        const Pair w = {w0, w0, w0, w0, w1, w1, w1, w1}, rho = c.rho[n] - Pair{};
-        sum = fma_pair(w, fma_pair(rho, load_pair(from + row), load_pair(from)), sum);
+    if (point.groups > 1 || point.splat.choose) {
+        for (uint32_t i = 0; i < count; ++i) {
+            const float* from = texel_under(point, c, c.hits[i]);
+            for (uint32_t g = 0; g < point.groups; ++g, from += point.texels.plane)
+                put(add_linear(from, row, c, c.hits[i], load_pair(point.sums + 8 * g)), point.sums + 8 * g);
+        }
+        return;
     }
-    point.pairs[0] = sum;
+    const float* data = point.texels.data;
+    Pair sum = load_pair(point.sums);
+    for (uint32_t i = 0; i < count; ++i) sum = add_linear(data + c.origin[c.hits[i]], row, c, c.hits[i], sum);
+    put(sum, point.sums);
 }
 
 template <uint32_t taps> void add_spline(Point& point, const Candidates& c, uint32_t n)
 {
     const Spline spline = spline_of(c.tx[n], c.ty[n], c.sign[n], taps);
     const float* from = texel_under(point, c, n);
+    float* sum = point.sums;
     for (uint32_t g = 0; g < point.groups; ++g, from += point.texels.plane)
-        for (uint32_t i = 0; i < taps; ++i) {
-            const float* column = from + 4 * i;
+        for (uint32_t i = 0; i < taps; ++i, sum += 4)
             for (uint32_t p = 0; p < 4; ++p) {
-                float v = spline.y[0] * column[p];
-                for (uint32_t j = 1; j < taps; ++j)
-                    v = weft_fma(spline.y[j], column[int64_t(j) * point.texels.row + p], v);
-                point.quads[g][i][p] = weft_fma(spline.x[i], v, point.quads[g][i][p]);
+                const float* texel = from + 4 * i + p;
+                float v = spline.y[0] * *texel;
+                for (uint32_t j = 1; j < taps; ++j) v = weft_fma(spline.y[j], texel[int64_t(j) * point.texels.row], v);
+                sum[p] = weft_fma(spline.x[i], v, sum[p]);
             }
-        }
 }
 
 template <uint32_t taps> void add_candidates(Point& point, Candidates& c)
 {
+    for (uint32_t n = c.count; n < c.count + chunk; ++n) {
+        c.state[n] = 0;
+        c.x[n] = c.y[n] = 0;
+    }
     locate_candidates<taps>(point, c);
     uint32_t hits = 0;
     for (uint32_t n = 0; n < c.count; ++n) {
         c.hits[hits] = n;
-        hits += uint32_t(c.reaches[n]);
+        hits += c.reaches[n];
     }
-    if (taps == 2 && point.groups == 1 && !point.splat.choose)
-        add_linear(point, c, c.hits, hits);
+    if (taps == 2)
+        add_linear(point, c, hits);
     else
-        for (uint32_t i = 0; i < hits; ++i)
-            if (taps == 2)
-                add_linear(point, c, c.hits[i]);
-            else
-                add_spline<taps>(point, c, c.hits[i]);
+        for (uint32_t i = 0; i < hits; ++i) add_spline<taps>(point, c, c.hits[i]);
     c.count = 0;
 }
 
 void count_impacts(const Splat& splat, Cells& cells)
 {
-    const uint32_t count = cells.count;
+    uint32_t highest = 0;
+    for (uint32_t n = cells.count; n < cells.count + chunk; ++n) cells.key[n] = 0;
+    const uint32_t count = whole_chunks(cells.count);
     for (uint32_t n = 0; n < count; ++n) {
-        cells.key[n] = weft_absorb(cells.column[n], cells.number[n]);
+        cells.key[n] = weft_mix(cells.key[n]);
         cells.high[n] = weft_high(weft_draw(cells.key[n], 0));
         cells.impacts[n] = 0;
+        highest = cells.high[n] > highest ? cells.high[n] : highest;
     }
-    uint32_t highest = 0;
-    for (uint32_t n = 0; n < count; ++n) highest = cells.high[n] > highest ? cells.high[n] : highest;
     for (uint32_t i = 0; i < splat.count_limit && splat.counts[i] <= highest; ++i) {
         const uint32_t threshold = splat.counts[i];
         for (uint32_t n = 0; n < count; ++n) cells.impacts[n] += cells.high[n] >= threshold ? 1u : 0u;
     }
 }
 
-/// Adds the impacts of some cells. They are listed four at a time, so that the stores need no count.
+/// Adds the impacts of some cells. They are listed four at a time, so that the stores depend on no count.
 template <uint32_t taps> void add_cells(Point& point, Cells& cells, Candidates& c)
 {
+    const States steps = {2 * WEFT_GOLDEN, 3 * WEFT_GOLDEN, 4 * WEFT_GOLDEN, 5 * WEFT_GOLDEN};
     count_impacts(point.splat, cells);
-    for (uint32_t n = 0; n < cells.count; ++n)
-        for (uint32_t i = 0; i < cells.impacts[n]; i += 4) {
-            if (c.count > most_candidates - 4) add_candidates<taps>(point, c);
-            const uint64_t state = cells.key[n] + (uint64_t(i) + 2) * WEFT_GOLDEN;
-            for (uint32_t j = 0; j < 4; ++j) {
-                c.state[c.count + j] = state + j * WEFT_GOLDEN;
-                c.x[c.count + j] = cells.x[n];
-                c.y[c.count + j] = cells.y[n];
-                c.pixels_x[c.count + j] = cells.pixels_x[n];
-                c.pixels_y[c.count + j] = cells.pixels_y[n];
+    uint32_t to = c.count; // in a register: the stores below could change c.count, for all a compiler knows
+    for (uint32_t n = 0, count = cells.count; n < count; ++n) {
+        uint64_t key = cells.key[n];
+        uint32_t left = cells.impacts[n];
+        for (;; left -= 4, key += 4 * WEFT_GOLDEN) {
+            if (to > most_candidates - 4) {
+                c.count = to;
+                add_candidates<taps>(point, c);
+                to = 0;
             }
-            c.count += cells.impacts[n] - i < 4 ? cells.impacts[n] - i : 4;
+            put(key + steps, c.state + to);
+            put(cells.x[n] + Four{}, c.x + to);
+            put(cells.y[n] + Four{}, c.y + to);
+            if (point.cut) {
+                put(cells.pixels_x[n] + Four{}, c.pixels_x + to);
+                put(cells.pixels_y[n] + Four{}, c.pixels_y + to);
+            }
+            to += left < 4 ? left : 4;
+            if (left <= 4) break;
         }
+    }
+    c.count = to;
     cells.count = 0;
+}
+
+/// The next cells of an axis, up to the one that holds pixel `last`; false: there are no more behind them.
+bool next_cells(const Splat& splat, uint32_t period, int64_t origin, int64_t last, Walk& walk, Axis& axis)
+{
+    for (axis.count = 0; axis.count < most_cells; advance(splat, period, walk)) {
+        const Cell cell = cell_at(splat, period, walk);
+        if (cell.begin > last) return false;
+        axis.number[axis.count] = cell.number;
+        axis.begin[axis.count] = int32_t(cell.begin - origin);
+        axis.pixels[axis.count++] = cell.pixels;
+    }
+    return true;
+}
+
+/// Appends cells of one column, four at a time.
+template <uint32_t taps>
+void append_cells(Point& point, const Cell& cx, uint64_t column, const Axis& rows, Cells& cells, Candidates& candidates)
+{
+    if (cells.count + rows.count > most_cells) add_cells<taps>(point, cells, candidates);
+    const Four x = int32_t(cx.begin - point.spot.cell[0]) + Four{};
+    for (uint32_t j = 0; j < rows.count; j += 4) {
+        States numbers;
+        Four y;
+        __builtin_memcpy(&numbers, rows.number + j, sizeof numbers);
+        __builtin_memcpy(&y, rows.begin + j, sizeof y);
+        put((column ^ numbers) + WEFT_GOLDEN, cells.key + cells.count + j);
+        put(x, cells.x + cells.count + j);
+        put(y, cells.y + cells.count + j);
+        if (!point.cut) continue;
+        __builtin_memcpy(&y, rows.pixels + j, sizeof y);
+        put(cx.pixels + Four{}, cells.pixels_x + cells.count + j);
+        put(y, cells.pixels_y + cells.count + j);
+    }
+    cells.count += rows.count;
 }
 
 template <uint32_t taps> void add_all(Point& point)
@@ -227,26 +292,26 @@ template <uint32_t taps> void add_all(Point& point)
     const int64_t x = point.spot.cell[0], y = point.spot.cell[1];
     const Range rx = range_of(taps, point.level, texels.x, texels.width, x, int32_t(point.spot.fraction[0]));
     const Range ry = range_of(taps, point.level, texels.y, texels.height, y, int32_t(point.spot.fraction[1]));
+    Axis rows;
     Cells cells;
     Candidates candidates;
     cells.count = candidates.count = 0;
     const Walk top = walk_from(splat, splat.period[1], ry.first);
+    Walk wy = top;
+    bool more = next_cells(splat, splat.period[1], y, ry.last, wy, rows);
+    const bool once = !more; // then the same rows serve every column
     for (Walk wx = walk_from(splat, splat.period[0], rx.first);; advance(splat, splat.period[0], wx)) {
         const Cell cx = cell_at(splat, splat.period[0], wx);
         if (cx.begin > rx.last) break;
         const uint64_t column = weft_absorb(splat.key, cx.number);
-        for (Walk wy = top;; advance(splat, splat.period[1], wy)) {
-            const Cell cy = cell_at(splat, splat.period[1], wy);
-            if (cy.begin > ry.last) break;
-            const uint32_t n = cells.count++;
-            cells.column[n] = column;
-            cells.number[n] = cy.number;
-            cells.x[n] = int32_t(cx.begin - x);
-            cells.y[n] = int32_t(cy.begin - y);
-            cells.pixels_x[n] = cx.pixels;
-            cells.pixels_y[n] = cy.pixels;
-            if (cells.count == most_cells) add_cells<taps>(point, cells, candidates);
+        append_cells<taps>(point, cx, column, rows, cells, candidates);
+        if (once) continue;
+        while (more) {
+            more = next_cells(splat, splat.period[1], y, ry.last, wy, rows);
+            append_cells<taps>(point, cx, column, rows, cells, candidates);
         }
+        wy = top;
+        more = next_cells(splat, splat.period[1], y, ry.last, wy, rows);
     }
     add_cells<taps>(point, cells, candidates);
     add_candidates<taps>(point, candidates);
@@ -254,16 +319,22 @@ template <uint32_t taps> void add_all(Point& point)
 
 void splat_point(const Splat& splat, uint32_t level, const weft_spot& spot, float* f)
 {
-    const uint32_t taps = splat.taps;
-    Point point = {splat, splat.texels[level], spot, level, (splat.planes + 3) / 4, {}, {}};
-    if (taps == 1) add_all<1>(point);
-    else if (taps == 2) add_all<2>(point);
-    else if (taps == 4) add_all<4>(point);
-    else add_all<6>(point);
+    const uint32_t taps = splat.taps, mask = (uint32_t(1) << splat.cell_log2) - 1;
+    const bool cut = ((splat.period[0] | splat.period[1]) & mask) != 0;
+    Point point(splat, level, spot, cut);
+    for (uint32_t i = 0; i < point.groups * taps * 4; ++i) point.sums[i] = 0.0f;
+    if (taps == 1)
+        add_all<1>(point);
+    else if (taps == 2)
+        add_all<2>(point);
+    else if (taps == 4)
+        add_all<4>(point);
+    else
+        add_all<6>(point);
     for (uint32_t p = 0; p < splat.planes; ++p) {
-        const uint32_t g = p / 4, lane = p % 4;
-        float sum = taps == 2 ? point.pairs[g][lane] + point.pairs[g][4 + lane] : point.quads[g][0][lane];
-        for (uint32_t i = 1; taps != 2 && i < taps; ++i) sum = sum + point.quads[g][i][lane];
+        const float* sums = point.sums + (p / 4) * taps * 4 + p % 4;
+        float sum = sums[0];
+        for (uint32_t i = 1; i < taps; ++i) sum = sum + sums[4 * i];
         f[p] = sum + splat.offset[p];
     }
 }
