@@ -68,14 +68,15 @@ void bench_free(bench* b);
 void bench_write_json(const bench* b);
 void bench_write_text(const bench* b);
 
-/* Ratios, 0 where they are not defined. Multiply-adds are counted as channels * 3 * impacts for a pixel. */
-double ratio_of_peak(const bench* b, const device_case* d);
-double ratio_of_peak_by_processor(const bench* b, const device_case* d); /* both in processor time */
-double ratio_of_store(const bench* b, const device_case* d);
-double ratio_to_yardstick(const bench* b, const device_case* d);
-double ratio_to_scalar(const bench* b, const device_case* d);
-double ratio_to_simd(const bench* b, const device_case* d); /* the best simd device */
-double ratio_to_one_thread(const bench* b, const device_case* d);
-double ratio_points_to_scalar(const bench* b, const device_case* d);
+/* Ratios by best_rate, or by processor_rate, which other programs disturb less; 0 where one is not defined. */
+typedef double (*bench_rate)(const measurement* m);
+
+double ratio_of_peak(const bench* b, const device_case* d, bench_rate rate); /* channels * 3 * impacts per pixel */
+double ratio_of_store(const bench* b, const device_case* d, bench_rate rate);
+double ratio_to_yardstick(const bench* b, const device_case* d, bench_rate rate);
+double ratio_to_scalar(const bench* b, const device_case* d, bench_rate rate);
+double ratio_to_simd(const bench* b, const device_case* d, bench_rate rate); /* the best simd device */
+double ratio_to_one_thread(const bench* b, const device_case* d, bench_rate rate);
+double ratio_points_to_scalar(const bench* b, const device_case* d, bench_rate rate);
 
 #endif

@@ -5,74 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-static const limit_case* limits_of(const bench* b, const device_case* d)
-{
-    for (int i = 0; i < b->limit_count; i++)
-        if (b->limits[i].threads == d->threads) return &b->limits[i];
-    return &b->limits[0];
-}
-
-static double divide(double value, double by) { return by > 0 ? value / by : 0; }
-
 static double best_store(const limit_case* c)
 {
     double plain = best_rate(&c->store[0]), non_temporal = best_rate(&c->store[1]);
     return plain > non_temporal ? plain : non_temporal;
-}
-
-/* The fastest window of the devices whose name begins so, with that number of threads. */
-static const device_case* find(const bench* b, const char* name, uint32_t threads)
-{
-    const device_case* best = NULL;
-    for (int i = 0; i < b->device_count; i++) {
-        const device_case* d = &b->devices[i];
-        if (d->threads != threads || strncmp(d->device.name, name, strlen(name)) != 0) continue;
-        if (!best || best_rate(&d->window) > best_rate(&best->window)) best = d;
-    }
-    return best;
-}
-
-static double window_ratio(const device_case* d, const device_case* other)
-{
-    return other ? divide(best_rate(&d->window), best_rate(&other->window)) : 0;
-}
-
-/* Multiply-adds that a pixel needs at least; 0 if that is not known. */
-static double work_of_pixel(const bench* b)
-{
-    return b->info.method == WEFT_METHOD_TEXTON ? 3.0 * b->info.channels * (double)b->impacts : 0;
-}
-
-double ratio_of_peak(const bench* b, const device_case* d)
-{
-    return divide(best_rate(&d->window) * work_of_pixel(b), best_rate(&limits_of(b, d)->multiply_add));
-}
-
-double ratio_of_peak_by_processor(const bench* b, const device_case* d)
-{
-    return divide(processor_rate(&d->window) * work_of_pixel(b), processor_rate(&limits_of(b, d)->multiply_add));
-}
-
-double ratio_of_store(const bench* b, const device_case* d)
-{
-    return divide(best_rate(&d->window) * 4.0 * b->info.channels, best_store(limits_of(b, d)));
-}
-
-double ratio_to_yardstick(const bench* b, const device_case* d)
-{
-    return b->has_yardstick ? divide(best_rate(&d->window), best_rate(&limits_of(b, d)->yardstick)) : 0;
-}
-
-double ratio_to_scalar(const bench* b, const device_case* d) { return window_ratio(d, find(b, "scalar", d->threads)); }
-
-double ratio_to_simd(const bench* b, const device_case* d) { return window_ratio(d, find(b, "simd:", d->threads)); }
-
-double ratio_to_one_thread(const bench* b, const device_case* d) { return window_ratio(d, find(b, d->device.name, 1)); }
-
-double ratio_points_to_scalar(const bench* b, const device_case* d)
-{
-    const device_case* scalar = find(b, "scalar", d->threads);
-    return scalar ? divide(best_rate(&d->sample), best_rate(&scalar->sample)) : 0;
 }
 
 static void write_rate(json* out, const char* key, const measurement* m, double unit)
@@ -112,6 +48,19 @@ static void write_limits(json* out, const bench* b)
     json_end(out);
 }
 
+static void write_ratios(json* out, const char* key, const bench* b, const device_case* d, bench_rate rate)
+{
+    json_object(out, key);
+    write_ratio(out, "of_multiply_add_peak", ratio_of_peak(b, d, rate));
+    write_ratio(out, "of_store_bandwidth", ratio_of_store(b, d, rate));
+    write_ratio(out, "to_yardstick", ratio_to_yardstick(b, d, rate));
+    write_ratio(out, "to_scalar", ratio_to_scalar(b, d, rate));
+    write_ratio(out, "to_simd", ratio_to_simd(b, d, rate));
+    write_ratio(out, "to_one_thread", ratio_to_one_thread(b, d, rate));
+    write_ratio(out, "points_to_scalar", ratio_points_to_scalar(b, d, rate));
+    json_end(out);
+}
+
 static void write_device(json* out, const bench* b, const device_case* d)
 {
     json_object(out, NULL);
@@ -122,16 +71,8 @@ static void write_device(json* out, const bench* b, const device_case* d)
     write_rate(out, "megapixels_per_second", &d->window, 1e6);
     json_unsigned(out, "points", d->points);
     write_rate(out, "megapoints_per_second", &d->sample, 1e6);
-    json_object(out, "ratios");
-    write_ratio(out, "of_multiply_add_peak", ratio_of_peak(b, d));
-    write_ratio(out, "of_multiply_add_peak_by_processor_time", ratio_of_peak_by_processor(b, d));
-    write_ratio(out, "of_store_bandwidth", ratio_of_store(b, d));
-    write_ratio(out, "to_yardstick", ratio_to_yardstick(b, d));
-    write_ratio(out, "to_scalar", ratio_to_scalar(b, d));
-    write_ratio(out, "to_simd", ratio_to_simd(b, d));
-    write_ratio(out, "to_one_thread", ratio_to_one_thread(b, d));
-    write_ratio(out, "points_to_scalar", ratio_points_to_scalar(b, d));
-    json_end(out);
+    write_ratios(out, "ratios", b, d, best_rate);
+    write_ratios(out, "ratios_by_processor_time", b, d, processor_rate);
     json_end(out);
 }
 
@@ -177,14 +118,14 @@ static void print_device(const bench* b, const device_case* d)
 {
     printf("%-14s %7u %9.1f %9.1f", d->device.name, d->threads, best_rate(&d->window) / 1e6,
            median_rate(&d->window) / 1e6);
-    print_ratio(ratio_of_peak(b, d), 100, " %", 1);
-    print_ratio(ratio_of_peak_by_processor(b, d), 100, " %", 1);
-    print_ratio(ratio_of_store(b, d), 100, " %", 1);
-    print_ratio(ratio_to_yardstick(b, d), 1, "", 1);
-    print_ratio(ratio_to_scalar(b, d), 1, "", 2);
-    print_ratio(ratio_to_one_thread(b, d), 1, "", 2);
+    print_ratio(ratio_of_peak(b, d, best_rate), 100, " %", 1);
+    print_ratio(ratio_of_peak(b, d, processor_rate), 100, " %", 1);
+    print_ratio(ratio_of_store(b, d, best_rate), 100, " %", 1);
+    print_ratio(ratio_to_yardstick(b, d, best_rate), 1, "", 1);
+    print_ratio(ratio_to_scalar(b, d, best_rate), 1, "", 2);
+    print_ratio(ratio_to_one_thread(b, d, best_rate), 1, "", 2);
     printf(" %10.3f", best_rate(&d->sample) / 1e6);
-    print_ratio(ratio_points_to_scalar(b, d), 1, "", 2);
+    print_ratio(ratio_points_to_scalar(b, d, best_rate), 1, "", 2);
     putchar('\n');
 }
 
