@@ -12,12 +12,11 @@
 #include <string.h>
 
 static const char notes[] =
-    "A photo is a PNG of any colour type and depth. Grey gives a model of 1 channel, colour of 3; alpha is a channel "
-    "of\n"
-    "its own where it is not opaque everywhere. Values are used as they are: no gamma, no colour profile. Several "
-    "photos\n"
-    "are further maps of one surface, in register and of one size: their channels are analysed together.\n"
-    "Method texton is texton noise, for textures without structure; picture repeats the photo as it is.";
+    "A photo is a PNG of any colour type and depth. Grey gives a model of 1 channel, colour of 3; alpha is a\n"
+    "channel of its own where it is not opaque everywhere. Values are used as they are: no gamma, no colour\n"
+    "profile. Several photos are further maps of one surface, in register and of one size: their channels are\n"
+    "analysed together. Method texton is texton noise, for textures without structure; picture repeats the\n"
+    "photo as it is.";
 
 typedef struct analyze_options {
     const char* output;

@@ -10,16 +10,16 @@
 #include <string.h>
 
 static const char notes[] =
-    "Each device is measured with one thread and with all (or --threads N). --device NAME measures that one and "
-    "scalar.\n"
-    "Speeds are those of the best of the repetitions, which are taken in turns. Processor time is what the processor "
-    "gave\n"
-    "to all threads: other programs disturb it less. Ratios compare within this run, in JSON by both kinds of time:\n"
+    "Each device is measured with one thread and with all (or --threads N). --device NAME measures that one\n"
+    "and scalar. Speeds are those of the best of the repetitions, which are taken in turns. Processor time is\n"
+    "what the processor gave to all threads: other programs disturb it less. Ratios compare within this run,\n"
+    "in JSON by both kinds of time:\n"
     "  of peak    channels * 3 * impacts multiply-adds per pixel, of what the machine does in registers\n"
     "  by CPU     the same in processor time\n"
     "  of stores  bytes of the picture, of what the machine writes to memory\n"
     "  x gather   against the paper's shader, which draws the points anew for every pixel; on 32 rows of the window\n"
-    "Points are incoherent, in a square of 4096 pixels, without filtering; fewer than a million where that takes long.";
+    "Points are incoherent, in a square of 4096 pixels, without filtering; fewer than a million where that\n"
+    "takes long.";
 
 int command_bench(int count, char** words)
 {

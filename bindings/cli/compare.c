@@ -18,9 +18,9 @@ static const char notes[] =
     "  repetition            highest far peak of the autocovariance, against a noise that never repeats\n"
     "  verbatim_copy         share of windows whose neighbours are copied along with them\n"
     "  seam_score            how much the output's borders stand out when it is laid beside itself\n"
-    "What a method does not promise it may miss: texton noise promises mean, covariance and spectrum, and neither the\n"
-    "histogram nor the patches of a photo with structure. A measure that is not defined for images this small or this\n"
-    "constant is `-`, null in JSON.";
+    "What a method does not promise it may miss: texton noise promises mean, covariance and spectrum, and\n"
+    "neither the histogram nor the patches of a photo with structure. A measure that is not defined for\n"
+    "images this small or this constant is `-`, null in JSON.";
 
 typedef struct measure {
     const char* key;

@@ -43,8 +43,8 @@ static int list(uint32_t count, const arguments* common)
 int command_devices(int count, char** words)
 {
     static const char notes[] =
-        "An exact device gives bit for bit the pixels of `scalar`. A refused one is listed with the reason.\n"
-        "Plug-ins are found beside the library, or in the folder that WEFT_BACKEND_PATH names.";
+        "An exact device gives bit for bit the pixels of `scalar`. A refused one is listed with the reason. Plug-\n"
+        "ins are found beside the library, or in the folder that WEFT_BACKEND_PATH names.";
     const command_line line = {"devices", "", "Lists the devices.", notes, NULL, 0, 0, 0};
     arguments common;
     int code = parse_arguments(&line, count, words, &common);

@@ -14,10 +14,10 @@
 #include <sys/stat.h>
 
 static const char notes[] =
-    "DIR gets a 16-bit PNG of every part, model.json, and of a texton with 1 or 3 channels texton.texton, the text\n"
-    "format of texton noise's authors, which `weft import` reads. A value of a part is low + (high - low) * pixel / "
-    "65535\n"
-    "with the low and high that model.json records. A part of more than 4 channels gives a grey PNG per channel.";
+    "DIR gets a 16-bit PNG of every part, model.json, and of a texton with 1 or 3 channels texton.texton, the\n"
+    "text format of texton noise's authors, which `weft import` reads. A value of a part is low + (high -\n"
+    "low) * pixel / 65535 with the low and high that model.json records. A part of more than 4 channels gives\n"
+    "a grey PNG per channel.";
 
 /* DIR/NAME; the caller frees it. */
 static char* join(const char* folder, const char* name)

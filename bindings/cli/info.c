@@ -94,9 +94,9 @@ static int write_text(const weft_model* model, const weft_model_info* info)
 int command_info(int count, char** words)
 {
     static const char notes[] =
-        "The model error is the relative model error against the periodogram of the photo (Xia et al. 2014). A smooth\n"
-        "spectrum cannot come below about 0.48 against a raw periodogram unless the texton is nearly as large as the "
-        "photo.";
+        "The model error is the relative model error against the periodogram of the photo (Xia et al. 2014). A\n"
+        "smooth spectrum cannot come below about 0.48 against a raw periodogram unless the texton is nearly as\n"
+        "large as the photo.";
     const command_line line = {"info", "MODEL", "Says what a model holds.", notes, NULL, 0, 1, 1};
     arguments common;
     weft_context* context = NULL;

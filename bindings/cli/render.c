@@ -13,12 +13,10 @@
 #include <string.h>
 
 static const char notes[] =
-    "The texture is endless: the same position of the same model and seed is always the same pixel, whatever the "
-    "window,\n"
-    "the device or the number of threads. --at counts pixels of the level.\n"
-    "Models of 1, 2, 3 and 4 channels give grey, grey and alpha, RGB and RGBA. For more, and to undo what `analyze` "
-    "has\n"
-    "stacked, --maps 3,1,3 says how many channels each map has; the %d in -o OUT-%d.png becomes the map's number.";
+    "The texture is endless: the same position of the same model and seed is always the same pixel, whatever\n"
+    "the window, the device or the number of threads. --at counts pixels of the level. Models of 1, 2, 3 and\n"
+    "4 channels give grey, grey and alpha, RGB and RGBA. For more, and to undo what `analyze` has stacked,\n"
+    "--maps 3,1,3 says how many channels each map has; the %d in -o OUT-%d.png becomes the map's number.";
 
 typedef struct render_options {
     const char *output, *maps_text;
