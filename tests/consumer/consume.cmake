@@ -25,7 +25,7 @@ set(rpath -Wl,-rpath,${STAGE}/${LIBDIR})
 # A CMake project of `package/` that finds libweft by `how`.
 function(project how target devices)
   run(${CMAKE_COMMAND} -S ${SOURCE}/package -B ${work} -G ${GENERATOR} -DCMAKE_C_COMPILER=${CC} -DCMAKE_CXX_COMPILER=${CXX}
-    -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_BUILD_TYPE=Release -DHOW=${how} -DTARGET=${target} -DTREE=${TREE}
+    -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_BUILD_TYPE=Debug -DHOW=${how} -DTARGET=${target} -DTREE=${TREE}
     -DWEFT_FFT=${FFT} -DCMAKE_PREFIX_PATH=${STAGE})
   run(${CMAKE_COMMAND} --build ${work})
   run(${work}/consumer ${devices})
@@ -57,7 +57,7 @@ elseif(WAY STREQUAL "plugin")
   run(${CC} ${strict} ${SOURCE}/plugin/use.c -o ${work}/use ${weft} ${rpath})
   run(${work}/use ${work}/path/weft_backend_plain.so ${work}/weft_backend_tinted.so)
   set(ENV{WEFT_BACKEND_PATH} ${work}/path)
-  run(${work}/use "" ${work}/weft_backend_tinted.so)
+  run(${work}/use - ${work}/weft_backend_tinted.so)
 elseif(WAY STREQUAL "readme")
   # The first C block of README.md, as printed.
   file(READ ${TREE}/README.md text)

@@ -1,4 +1,4 @@
-/* use PLAIN TINTED: renders through two plug-ins that libweft has never seen. PLAIN is a path to load, or "" if
+/* use PLAIN TINTED: renders through two plug-ins that libweft has never seen. PLAIN is a path to load, or - if
  * WEFT_BACKEND_PATH leads to it; its pixels are those of "scalar". TINTED adds 1/4, which shows whose pixels they were. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -69,7 +69,7 @@ int main(int count, char **arguments)
         state = state * 1664525u + 1013904223u;
         photo[k] = (float)(state >> 8) * 0x1p-24f;
     }
-    if (arguments[1][0]) demand(weft_backend_load(arguments[1]) == WEFT_OK, arguments[1]);
+    if (strcmp(arguments[1], "-") != 0) demand(weft_backend_load(arguments[1]) == WEFT_OK, arguments[1]);
     demand(weft_backend_load(arguments[2]) == WEFT_OK, arguments[2]);
     demand(listed("plain:c", 1) && listed("tinted:c", 0), "the list of devices");
     scalar = open_context("scalar");
