@@ -107,8 +107,8 @@ void prepare(Device& device) noexcept
 std::uint32_t device_count() noexcept
 {
     std::call_once(found, [] {
-        for (cl_device_type type : {CL_DEVICE_TYPE_GPU, CL_DEVICE_TYPE_ACCELERATOR, CL_DEVICE_TYPE_CPU})
-            find_devices(type);
+        constexpr cl_device_type best_first[] = {CL_DEVICE_TYPE_GPU, CL_DEVICE_TYPE_ACCELERATOR, CL_DEVICE_TYPE_CPU};
+        for (const cl_device_type type : best_first) find_devices(type);
     });
     return found_count;
 }
