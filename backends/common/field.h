@@ -2,8 +2,8 @@
  *
  * No pointers, so that no address space is named: a caller loads, these functions compute. Compile with contraction off
  * (-ffp-contract=off; the pragma below for OpenCL C) and without any fast-math option: nothing here may be fused,
- * reordered or flushed to zero. Where a multiply-add is fused, it is written weft_fma. Right shifts of negative integers
- * round down, as those of GCC, clang and OpenCL C do. */
+ * reordered or flushed to zero. Where a multiply-add is fused, it is written weft_fma. Right shifts of negative
+ * integers round down, as those of GCC, clang and OpenCL C do. */
 #ifndef WEFT_FIELD_H
 #define WEFT_FIELD_H
 
@@ -21,8 +21,8 @@ typedef int64_t weft_i64;
 typedef uint64_t weft_u64;
 #endif
 
-#define WEFT_FRACTION_BITS 24        /* of a position within its pixel */
-#define WEFT_FRACTION_HALF 0x800000  /* the centre of a pixel */
+#define WEFT_FRACTION_BITS 24       /* of a position within its pixel */
+#define WEFT_FRACTION_HALF 0x800000 /* the centre of a pixel */
 #define WEFT_FRACTION_MASK 0xffffff
 #define WEFT_FRACTION_UNIT (1.0f / 16777216.0f)
 
@@ -74,7 +74,8 @@ static inline weft_i64 weft_divide_down(weft_i64 n, weft_u32 d)
     return q - (n - q * (weft_i64)d < 0 ? 1 : 0);
 }
 
-/* Random numbers: counter-based, 64 bits (the finaliser of splitmix64) ---------------------------------------------- */
+/* Random numbers: counter-based, 64 bits (the finaliser of splitmix64) ----------------------------------------------
+ */
 
 #define WEFT_GOLDEN ((weft_u64)0x9e3779b97f4a7c15)
 
@@ -123,10 +124,7 @@ static inline weft_impact_axis weft_impact_at(weft_u32 z, weft_u32 cell_log2)
     return axis;
 }
 
-static inline float weft_impact_sign(weft_u64 z, weft_u32 signs)
-{
-    return (weft_u32)(z & signs) != 0 ? -1.0f : 1.0f;
-}
+static inline float weft_impact_sign(weft_u64 z, weft_u32 signs) { return (weft_u32)(z & signs) != 0 ? -1.0f : 1.0f; }
 
 /* Which of `images` textons a value of the choice's plane means. */
 static inline weft_u32 weft_choose(float value, weft_u32 images)
@@ -139,7 +137,8 @@ static inline weft_u32 weft_choose(float value, weft_u32 images)
 
 /* Distance of a sample from an impact along an axis, in 2^-24 of the texels of level l: `pixels` is the sample's pixel
  * minus the impact's, the fractions are of 2^24. */
-static inline weft_i64 weft_distance(weft_i64 pixels, weft_i32 sample_fraction, weft_i32 impact_fraction, weft_u32 level)
+static inline weft_i64 weft_distance(weft_i64 pixels, weft_i32 sample_fraction, weft_i32 impact_fraction,
+                                     weft_u32 level)
 {
     return ((pixels * 16777216 + sample_fraction - impact_fraction) >> level) - WEFT_FRACTION_HALF;
 }
@@ -175,8 +174,8 @@ static inline weft_weights2 weft_linear(float tx, float ty, float sign)
     return w;
 }
 
-/* Other numbers of taps: v_i = wy_0 * T[y][x+i], then v_i = fma(wy_j, T[y+j][x+i], v_i); A_i = fma(wx_i * sign, v_i, A_i);
- * f = (((A_0 + A_1) + A_2) ...) + offset. One tap: weight 1. */
+/* Other numbers of taps: v_i = wy_0 * T[y][x+i], then v_i = fma(wy_j, T[y+j][x+i], v_i); A_i = fma(wx_i * sign, v_i,
+ * A_i); f = (((A_0 + A_1) + A_2) ...) + offset. One tap: weight 1. */
 typedef struct weft_weights {
     float w[6];
 } weft_weights;

@@ -40,8 +40,9 @@ struct Range {
     int64_t first, last;
 };
 
-/// Texel first..first + taps - 1 are read; one of them is in the level if first is in lowest..highest. By the definition
-/// of first, the impact is then between (highest + shift + 3/2) and (lowest + shift + 1/2) texels before the sample.
+/// Texel first..first + taps - 1 are read; one of them is in the level if first is in lowest..highest. By the
+/// definition of first, the impact is then between (highest + shift + 3/2) and (lowest + shift + 1/2) texels before the
+/// sample.
 Range range_of(uint32_t taps, uint32_t level, int32_t origin, int32_t size, int64_t pixel, int32_t fraction)
 {
     const int64_t lowest = origin - (int64_t(taps) - 1), highest = int64_t(origin) + size - 1;
@@ -122,8 +123,8 @@ bool find_impacts(const Splat& splat, const Block& block, Impacts& found)
 {
     const uint32_t level = block.level;
     const Texels& texels = splat.texels[level];
-    const Search search = {splat, block, texels, sample_pixel(block.x, level), sample_pixel(block.y, level),
-                           sample_fraction(level)};
+    const Search search = {
+        splat, block, texels, sample_pixel(block.x, level), sample_pixel(block.y, level), sample_fraction(level)};
     const int64_t right = sample_pixel(block.x + block.width - 1, level);
     const int64_t below = sample_pixel(block.y + block.height - 1, level);
     const int32_t fraction = search.fraction;

@@ -1,5 +1,5 @@
-/// Windows: cut into blocks, for each of which the impacts of every layer are found once; a block is evaluated in strips
-/// of rows that stay in the cache, layer by layer.
+/// Windows: cut into blocks, for each of which the impacts of every layer are found once; a block is evaluated in
+/// strips of rows that stay in the cache, layer by layer.
 #include "texture.h"
 #include <new>
 
@@ -8,14 +8,16 @@ namespace weft {
 namespace {
 
 constexpr uint32_t block_width = 512, block_height = 120; ///< a multiple of the height of any strip
-constexpr float most_impacts = 65536; ///< expected in a block, unless it cannot be made smaller
+constexpr float most_impacts = 65536;                     ///< expected in a block, unless it cannot be made smaller
 
 uint32_t minimum(uint32_t a, uint32_t b) { return a < b ? a : b; }
 
 /// A block's list of impacts, in the host's memory.
 struct Impact_list : Impacts {
     explicit Impact_list(const weft_host* host, uint32_t taps)
-        : Impacts{nullptr, nullptr, 0, 0, &Impact_list::enlarge}, impact_buffer(host), spline_buffer(host), taps_(taps) {}
+        : Impacts{nullptr, nullptr, 0, 0, &Impact_list::enlarge}, impact_buffer(host), spline_buffer(host), taps_(taps)
+    {
+    }
 
     static bool enlarge(Impacts& impacts)
     {
@@ -40,19 +42,22 @@ private:
 /// What a layer needs while a window is rendered.
 struct Work {
     explicit Work(const weft_host* host, const Layer& layer)
-        : found(host, layer.splat.taps), tile(host), f(host), mask(host) {}
+        : found(host, layer.splat.taps), tile(host), f(host), mask(host)
+    {
+    }
 
     Impact_list found;
     Tile_block tile;
-    Buffer<float> f;    ///< of a strip
-    Buffer<float> mask; ///< product of masks of a strip
+    Buffer<float> f;          ///< of a strip
+    Buffer<float> mask;       ///< product of masks of a strip
     const float* m = nullptr; ///< M of the strip; null: 1
 };
 
 /// The largest block, halved until no layer is expected to have too many impacts in it.
 Block largest_block(const weft_backend_texture& texture, const weft_window& window)
 {
-    Block block = {window.x, window.y, minimum(window.width, block_width), minimum(window.height, block_height), window.level};
+    Block block = {window.x, window.y, minimum(window.width, block_width), minimum(window.height, block_height),
+                   window.level};
     const float side = float(uint32_t(1) << minimum(window.level, 24));
     for (uint32_t i = 0; i < texture.program->layer_count; ++i) {
         const Layer& layer = texture.layers[i];
@@ -70,7 +75,10 @@ Block largest_block(const weft_backend_texture& texture, const weft_window& wind
 class Painter {
 public:
     Painter(const weft_backend_texture& texture, const weft_window& window)
-        : texture_(texture), window_(window), work_(texture.host), scratch_(texture.host), largest_(largest_block(texture, window)) {}
+        : texture_(texture), window_(window), work_(texture.host), scratch_(texture.host),
+          largest_(largest_block(texture, window))
+    {
+    }
     ~Painter()
     {
         for (uint32_t i = 0; i < made_; ++i) work_.data()[i].~Work();
@@ -128,7 +136,8 @@ bool Painter::begin(const Block& block)
         } else if (splat_has(layer, block.level)) {
             work.found.count = 0;
             if (!texture_.rows->find_impacts(layer.splat, block, work.found)) return false;
-            if (!scratch_.reserve(texture_.rows->scratch(work.found.count, block.width, layer.splat.taps))) return false;
+            if (!scratch_.reserve(texture_.rows->scratch(work.found.count, block.width, layer.splat.taps)))
+                return false;
         }
     }
     return true;
@@ -172,9 +181,10 @@ void Painter::mix(const Layer& layer, const float* f, const float* mask, uint32_
     const uint32_t channels = texture_.program->channels;
     for (uint32_t y = 0; y < count; ++y)
         for (uint32_t o = 0; o < channels; ++o) {
-            const Mixture mixture = {fresh_, f + size_t(y) * stride_, stride_ * count, source.channels, block_.width,
-                                     source.colour + size_t(o) * source.channels, source.mean[o],
-                                     mask ? mask + size_t(y) * stride_ : nullptr};
+            const Mixture mixture = {fresh_,          f + size_t(y) * stride_,
+                                     stride_ * count, source.channels,
+                                     block_.width,    source.colour + size_t(o) * source.channels,
+                                     source.mean[o],  mask ? mask + size_t(y) * stride_ : nullptr};
             texture_.rows->mix(mixture, row(o, first + y));
         }
 }

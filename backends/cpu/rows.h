@@ -9,19 +9,19 @@ namespace weft {
 
 /// One level of textons, laid out for a table's kernels. Texels within `data` but outside width x height are zero.
 struct Texels {
-    const float* data;            ///< texel (0, 0) of the first plane of the first image
-    int64_t row, plane, image;    ///< floats from one to the next
-    int32_t width, height, x, y;  ///< (x, y): index of the first texel
+    const float* data;           ///< texel (0, 0) of the first plane of the first image
+    int64_t row, plane, image;   ///< floats from one to the next
+    int32_t width, height, x, y; ///< (x, y): index of the first texel
 };
 
 /// A SPLAT layer, ready to be evaluated.
 struct Splat {
-    uint64_t key;                 ///< of its cells
+    uint64_t key; ///< of its cells
     uint32_t period[2];
     uint32_t cell_log2, count_limit, signs, taps, planes, levels;
     const uint32_t* counts;
     const float* offset;
-    const Texels* texels;         ///< levels
+    const Texels* texels;                                         ///< levels
     uint32_t (*choose)(const void* choice, int64_t x, int64_t y); ///< image of an impact at a pixel; null: image 0
     const void* choice;
 };
@@ -81,18 +81,18 @@ struct Columns {
 /// One result channel of a layer: out = mask * (sum of colour * f + mean) + out, where `fresh` means that out is +0.
 struct Mixture {
     bool fresh;
-    const float* f;      ///< channel c at f + c * plane
+    const float* f; ///< channel c at f + c * plane
     uint32_t plane, channels, width;
     const float* colour;
     float mean;
-    const float* mask;   ///< null: 1
+    const float* mask; ///< null: 1
 };
 
 struct Rows {
-    uint32_t apron;      ///< zeros that kernels want right of every row of texels and left of the first; 0: none, no copy
-    uint32_t apron_rows; ///< ... above and below every image
+    uint32_t apron; ///< zeros that kernels want right of every row of texels and left of the first; 0: none, no copy
+    uint32_t apron_rows;   ///< ... above and below every image
     uint32_t strip_height; ///< rows of a strip, liked best
-    uint32_t interleaved; ///< 1: points want texels of four planes side by side
+    uint32_t interleaved;  ///< 1: points want texels of four planes side by side
 
     /// Bytes of scratch that splat_strip needs for that many impacts.
     size_t (*scratch)(uint32_t impacts, uint32_t width, uint32_t taps);

@@ -1,6 +1,6 @@
-/// The row kernels, compiled once per instruction set. WEFT_ISA names the set and the namespace, WEFT_LANES the floats of
-/// its vectors; 1 selects the plain loops of the reference. Each object has one symbol, the table: everything else lies in
-/// an unnamed namespace, so that no function compiled for this set can be merged with that of another.
+/// The row kernels, compiled once per instruction set. WEFT_ISA names the set and the namespace, WEFT_LANES the floats
+/// of its vectors; 1 selects the plain loops of the reference. Each object has one symbol, the table: everything else
+/// lies in an unnamed namespace, so that no function compiled for this set can be merged with that of another.
 #include "../common/field.h"
 #include "rows.h"
 #include <float.h>
@@ -83,16 +83,22 @@ template <bool fresh> void mix_many(const Mixture& m, float* out)
 
 template <bool fresh> void mix_any(const Mixture& m, float* out)
 {
-    if (m.channels == 1) mix_few<1, fresh>(m, out);
-    else if (m.channels == 3) mix_few<3, fresh>(m, out);
-    else if (m.channels == 4) mix_few<4, fresh>(m, out);
-    else mix_many<fresh>(m, out);
+    if (m.channels == 1)
+        mix_few<1, fresh>(m, out);
+    else if (m.channels == 3)
+        mix_few<3, fresh>(m, out);
+    else if (m.channels == 4)
+        mix_few<4, fresh>(m, out);
+    else
+        mix_many<fresh>(m, out);
 }
 
 void mix(const Mixture& m, float* out)
 {
-    if (m.fresh) mix_any<true>(m, out);
-    else mix_any<false>(m, out);
+    if (m.fresh)
+        mix_any<true>(m, out);
+    else
+        mix_any<false>(m, out);
 }
 
 } // namespace
@@ -101,7 +107,8 @@ extern const Rows rows;
 #if WEFT_LANES == 1
 const Rows rows = {0, 0, 24, 0, scratch, find_impacts, splat_strip, splat_point, expand, lerp, tone, multiply, mix};
 #else
-const Rows rows = {lanes - 1, band_apron, strip_height, 1, scratch, find_impacts, splat_strip, splat_point, expand, lerp, tone, multiply, mix};
+const Rows rows = {lanes - 1,   band_apron, strip_height, 1,    scratch,  find_impacts, splat_strip,
+                   splat_point, expand,     lerp,         tone, multiply, mix};
 #endif
 
 } // namespace WEFT_ISA

@@ -44,8 +44,15 @@ weft_status open(const weft_host* host, uint32_t, weft_device_limits* limits, we
     return device_open(host, best_rows(), device);
 }
 
-constexpr weft_backend table = {WEFT_BACKEND_HEAD("scalar"), count,          info,           open,         device_close,
-                                texture_open,                texture_render, texture_sample, texture_close};
+constexpr weft_backend table = {WEFT_BACKEND_HEAD("scalar"),
+                                count,
+                                info,
+                                open,
+                                device_close,
+                                texture_open,
+                                texture_render,
+                                texture_sample,
+                                texture_close};
 
 } // namespace
 

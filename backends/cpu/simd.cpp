@@ -1,5 +1,5 @@
-/// The plug-in "simd": the kernels of the instruction sets that this processor has, best first; then those it lacks, each
-/// with the sentence why it is refused.
+/// The plug-in "simd": the kernels of the instruction sets that this processor has, best first; then those it lacks,
+/// each with the sentence why it is refused.
 #include "texture.h"
 
 namespace weft {
@@ -38,11 +38,13 @@ bool has_avx2()
 bool has_avx512()
 {
     return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-           __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+           __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
 }
 
 constexpr Level levels[] = {
-    {"avx512", "AVX-512 F, BW, CD, DQ, VL", "this processor or system lacks AVX-512 (F, BW, CD, DQ and VL)", &avx512::rows, has_avx512},
+    {"avx512", "AVX-512 F, BW, CD, DQ, VL", "this processor or system lacks AVX-512 (F, BW, CD, DQ and VL)",
+     &avx512::rows, has_avx512},
     {"avx2", "AVX2 and FMA", "this processor or system lacks AVX2 or FMA", &avx2::rows, has_avx2},
 };
 #elif defined(__aarch64__)
@@ -65,7 +67,8 @@ const Level& level_at(uint32_t index)
 
 void copy(const char* from, char* to)
 {
-    while ((*to++ = *from++) != 0) {}
+    while ((*to++ = *from++) != 0) {
+    }
 }
 
 uint32_t count() noexcept { return level_count; }
@@ -80,7 +83,8 @@ void info(uint32_t index, weft_device_info* info) noexcept
     info->exact = runs ? 1 : 0;
 }
 
-weft_status open(const weft_host* host, uint32_t index, weft_device_limits* limits, weft_backend_device** device) noexcept
+weft_status open(const weft_host* host, uint32_t index, weft_device_limits* limits,
+                 weft_backend_device** device) noexcept
 {
     const Level& level = level_at(index);
     if (!level.runs()) {
@@ -96,6 +100,6 @@ weft_status open(const weft_host* host, uint32_t index, weft_device_limits* limi
 } // namespace
 } // namespace weft
 
-WEFT_BACKEND_EXPORT const weft_backend weft_backend_v0 = {WEFT_BACKEND_HEAD("simd"), weft::count,          weft::info,
-                                                          weft::open,                weft::device_close,   weft::texture_open,
-                                                          weft::texture_render,      weft::texture_sample, weft::texture_close};
+WEFT_BACKEND_EXPORT const weft_backend weft_backend_v0 = {
+    WEFT_BACKEND_HEAD("simd"), weft::count,          weft::info,           weft::open,         weft::device_close,
+    weft::texture_open,        weft::texture_render, weft::texture_sample, weft::texture_close};

@@ -1,10 +1,10 @@
 /// SPLAT windows in vectors. Included by rows.inl, inside its unnamed namespace.
 ///
-/// All pixels of a window see an impact with the same fractions, so what an impact adds to a row of accumulators is a row
-/// of texels times constants. Accumulator i of pixel x takes what lies in texel column x + i; it is kept under the number
-/// of that column, where all accumulators of a column take the same sum of texels, and the shift by i is done once, at the
-/// end. A block of one vector of columns by `band` rows stays in registers while all its impacts pass; zeros around the
-/// texels replace tests of bounds, and add nothing to any sum.
+/// All pixels of a window see an impact with the same fractions, so what an impact adds to a row of accumulators is a
+/// row of texels times constants. Accumulator i of pixel x takes what lies in texel column x + i; it is kept under the
+/// number of that column, where all accumulators of a column take the same sum of texels, and the shift by i is done
+/// once, at the end. A block of one vector of columns by `band` rows stays in registers while all its impacts pass;
+/// zeros around the texels replace tests of bounds, and add nothing to any sum.
 
 constexpr uint32_t lanes = WEFT_LANES;
 constexpr uint32_t band_apron = 8; ///< rows of zeros: at least rows + taps - 2 of every band
@@ -91,7 +91,8 @@ inline Vector shift(const Vector& v, const Vector& next)
 #endif
 }
 
-/// Two taps. Blocks come from right to left: `carry` is A1 of the block to the right, by row, and becomes that of this one.
+/// Two taps. Blocks come from right to left: `carry` is A1 of the block to the right, by row, and becomes that of this
+/// one.
 struct Linear_block {
     static constexpr uint32_t rows = band_rows(2);
 
@@ -131,12 +132,12 @@ struct Linear_block {
     }
 };
 
-/// What a strip is rendered with, in its scratch: the impacts that reach the strip, those that reach a band of it, and of
-/// these, for each block of columns, those that reach the block, all in order; and the accumulators of a band.
+/// What a strip is rendered with, in its scratch: the impacts that reach the strip, those that reach a band of it, and
+/// of these, for each block of columns, those that reach the block, all in order; and the accumulators of a band.
 struct Band {
     uint32_t blocks, stride, limit;
-    float* sums;      ///< rows * taps * stride; none for two taps
-    uint32_t* strip;  ///< limit, as have the lists below
+    float* sums;     ///< rows * taps * stride; none for two taps
+    uint32_t* strip; ///< limit, as have the lists below
     uint32_t* band;
     uint32_t* lists;  ///< one for each block
     uint32_t* counts; ///< of the lists
@@ -160,7 +161,8 @@ Band band_in(const Strip& strip, uint32_t impacts, uint32_t taps)
     band.stride = (band.blocks + 1) * lanes;
     band.limit = impacts + 1;
     band.sums = static_cast<float*>(strip.scratch);
-    band.strip = reinterpret_cast<uint32_t*>(band.sums + (taps == 2 ? 0 : size_t(band_rows(taps)) * taps * band.stride));
+    band.strip =
+        reinterpret_cast<uint32_t*>(band.sums + (taps == 2 ? 0 : size_t(band_rows(taps)) * taps * band.stride));
     band.band = band.strip + band.limit;
     band.counts = band.band + band.limit;
     band.lists = band.counts + band.blocks;
@@ -203,8 +205,8 @@ void fill_lists(Band& band, const Texels& texels, const Impacts& found, uint32_t
 
 /// Rows y..y + height - 1 of a strip, one plane after another.
 template <uint32_t taps> struct Rows_of {
-    static void render(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip, const Band& band,
-                       uint32_t y, uint32_t height)
+    static void render(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip,
+                       const Band& band, uint32_t y, uint32_t height)
     {
         for (uint32_t p = 0; p < splat.planes; ++p) {
             const float* plane = texels.data + p * texels.plane + int64_t(strip.first + y) * texels.row;
@@ -225,8 +227,8 @@ template <uint32_t taps> struct Rows_of {
 };
 
 template <> struct Rows_of<2> {
-    static void render(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip, const Band& band,
-                       uint32_t y, uint32_t height)
+    static void render(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip,
+                       const Band& band, uint32_t y, uint32_t height)
     {
         for (uint32_t p = 0; p < splat.planes; ++p) {
             const float* plane = texels.data + p * texels.plane + int64_t(strip.first + y) * texels.row;
@@ -240,13 +242,15 @@ template <> struct Rows_of<2> {
     }
 };
 
-template <uint32_t taps> void splat_bands(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip)
+template <uint32_t taps>
+void splat_bands(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip)
 {
     constexpr uint32_t rows = band_rows(taps);
     Band band = band_in(strip, found.count, taps);
     const uint32_t near = select(found, nullptr, found.count, texels, taps, strip.first, strip.count, band.strip);
     for (uint32_t y = 0; y < strip.count; y += rows) {
-        fill_lists(band, texels, found, select(found, band.strip, near, texels, taps, strip.first + y, rows, band.band));
+        fill_lists(band, texels, found,
+                   select(found, band.strip, near, texels, taps, strip.first + y, rows, band.band));
         Rows_of<taps>::render(splat, texels, found, strip, band, y, strip.count - y < rows ? strip.count - y : rows);
     }
 }
@@ -254,8 +258,12 @@ template <uint32_t taps> void splat_bands(const Splat& splat, const Texels& texe
 void splat_strip(const Splat& splat, uint32_t level, const Impacts& found, const Strip& strip)
 {
     const Texels& texels = splat.texels[level];
-    if (splat.taps == 1) splat_bands<1>(splat, texels, found, strip);
-    else if (splat.taps == 2) splat_bands<2>(splat, texels, found, strip);
-    else if (splat.taps == 4) splat_bands<4>(splat, texels, found, strip);
-    else splat_bands<6>(splat, texels, found, strip);
+    if (splat.taps == 1)
+        splat_bands<1>(splat, texels, found, strip);
+    else if (splat.taps == 2)
+        splat_bands<2>(splat, texels, found, strip);
+    else if (splat.taps == 4)
+        splat_bands<4>(splat, texels, found, strip);
+    else
+        splat_bands<6>(splat, texels, found, strip);
 }

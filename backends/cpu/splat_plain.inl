@@ -2,8 +2,8 @@
 
 size_t scratch(uint32_t, uint32_t width, uint32_t taps) { return (width + taps) * size_t(taps) * sizeof(float); }
 
-/// Adds rows of an impact to the accumulators of one row of one plane. Accumulator i of pixel x is sums[i * pitch + x + i]:
-/// it depends on the texels' column x + i alone.
+/// Adds rows of an impact to the accumulators of one row of one plane. Accumulator i of pixel x is sums[i * pitch + x +
+/// i]: it depends on the texels' column x + i alone.
 void scatter(const Splat& splat, const Texels& texels, const float* plane, const Impacts& found, uint32_t n, int32_t y,
              uint32_t width, float* sums)
 {
@@ -40,7 +40,8 @@ void splat_strip(const Splat& splat, uint32_t level, const Impacts& found, const
         for (uint32_t y = 0; y < strip.count; ++y) {
             for (uint32_t i = 0; i < taps * pitch; ++i) sums[i] = 0.0f;
             for (uint32_t n = 0; n < found.count; ++n)
-                scatter(splat, texels, texels.data + p * texels.plane, found, n, int32_t(strip.first + y), strip.width, sums);
+                scatter(splat, texels, texels.data + p * texels.plane, found, n, int32_t(strip.first + y), strip.width,
+                        sums);
             float* out = strip.data + (size_t(p) * strip.count + y) * strip.stride;
             for (uint32_t x = 0; x < strip.width; ++x) {
                 float f = sums[x];
@@ -53,12 +54,13 @@ void splat_strip(const Splat& splat, uint32_t level, const Impacts& found, const
 /// A texel, 0 outside.
 float texel_at(const Texels& texels, const float* image, int64_t column, int64_t row)
 {
-    return column >= 0 && column < texels.width && row >= 0 && row < texels.height ? image[row * texels.row + column] : 0.0f;
+    return column >= 0 && column < texels.width && row >= 0 && row < texels.height ? image[row * texels.row + column]
+                                                                                   : 0.0f;
 }
 
 /// What one impact adds to the accumulators of a sample: sums[plane * 6 + i].
-void gather(const Splat& splat, const Texels& texels, int64_t image, const weft_taps& tx, const weft_taps& ty, float sign,
-            float* sums)
+void gather(const Splat& splat, const Texels& texels, int64_t image, const weft_taps& tx, const weft_taps& ty,
+            float sign, float* sums)
 {
     const int64_t column = tx.first - texels.x, row = ty.first - texels.y;
     const int32_t taps = int32_t(splat.taps);
@@ -74,7 +76,8 @@ void gather(const Splat& splat, const Texels& texels, int64_t image, const weft_
                 continue;
             }
             v = spline.y[0] * v;
-            for (int32_t j = 1; j < taps; ++j) v = weft_fma(spline.y[j], texel_at(texels, data, column + i, row + j), v);
+            for (int32_t j = 1; j < taps; ++j)
+                v = weft_fma(spline.y[j], texel_at(texels, data, column + i, row + j), v);
             sums[i] = weft_fma(spline.x[i], v, sums[i]);
         }
     }

@@ -59,7 +59,8 @@ void copy_texels(const weft_mips& textons, const weft_mip& mip, const Layout& la
     for (uint32_t image = 0; image < textons.images; ++image)
         for (uint32_t p = 0; p < textons.planes; ++p) {
             const float* from = mip.data + (size_t(image) * textons.planes + p) * area;
-            float* plane = to + (int64_t(image) * layout.groups + p / layout.width) * layout.plane(mip) + p % layout.width;
+            float* plane =
+                to + (int64_t(image) * layout.groups + p / layout.width) * layout.plane(mip) + p % layout.width;
             for (uint32_t y = 0; y < mip.height; ++y)
                 for (uint32_t x = 0; x < mip.width; ++x)
                     plane[y * layout.row(mip) + int64_t(x) * layout.width] = from[size_t(y) * mip.width + x];
@@ -78,8 +79,14 @@ bool copy_textons(Layer& layer, const Layout& layout)
         const weft_mip& mip = textons.level[l];
         float* first = data + layout.lead(mip);
         copy_texels(textons, mip, layout, first);
-        layer.texels[l] = {first,      layout.row(mip),     layout.plane(mip), layout.groups * layout.plane(mip),
-                           int32_t(mip.width), int32_t(mip.height), mip.x,            mip.y};
+        layer.texels[l] = {first,
+                           layout.row(mip),
+                           layout.plane(mip),
+                           layout.groups * layout.plane(mip),
+                           int32_t(mip.width),
+                           int32_t(mip.height),
+                           mip.x,
+                           mip.y};
         data += layout.size(mip, textons.images);
     }
     return true;
@@ -176,12 +183,14 @@ void device_close(weft_backend_device* device) noexcept
     host->deallocate(host->self, device, sizeof(weft_backend_device), alignof(weft_backend_device));
 }
 
-weft_status texture_open(weft_backend_device* device, const weft_program* program, weft_backend_texture** texture) noexcept
+weft_status texture_open(weft_backend_device* device, const weft_program* program,
+                         weft_backend_texture** texture) noexcept
 {
     const weft_host* host = device->host;
     if (!supports(*program))
-        return refuse(host, WEFT_ERROR_UNSUPPORTED,
-                      "this device evaluates windows and points of SPLAT layers and of plain periodic TILE layers only");
+        return refuse(
+            host, WEFT_ERROR_UNSUPPORTED,
+            "this device evaluates windows and points of SPLAT layers and of plain periodic TILE layers only");
     void* memory = host->allocate(host->self, sizeof(weft_backend_texture), alignof(weft_backend_texture));
     if (!memory) return WEFT_ERROR_MEMORY;
     weft_backend_texture* made = new (memory) weft_backend_texture{};

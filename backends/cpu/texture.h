@@ -41,7 +41,8 @@ inline bool splat_has(const Layer& layer, uint32_t level) { return level < layer
 weft_status device_open(const weft_host* host, const Rows& rows, weft_backend_device** device) noexcept;
 
 void device_close(weft_backend_device* device) noexcept;
-weft_status texture_open(weft_backend_device* device, const weft_program* program, weft_backend_texture** texture) noexcept;
+weft_status texture_open(weft_backend_device* device, const weft_program* program,
+                         weft_backend_texture** texture) noexcept;
 weft_status texture_render(weft_backend_texture* texture, const weft_window* window) noexcept;
 weft_status texture_sample(weft_backend_texture* texture, const weft_batch* batch) noexcept;
 void texture_close(weft_backend_texture* texture) noexcept;

@@ -1,5 +1,5 @@
-/// TILE with WEFT_ADDRESS_CELLS: points, and windows row by row. Columns are located once per block; a row of the source,
-/// expanded to the block's columns, serves both rows of pixels that it lies between.
+/// TILE with WEFT_ADDRESS_CELLS: points, and windows row by row. Columns are located once per block; a row of the
+/// source, expanded to the block's columns, serves both rows of pixels that it lies between.
 #include "tile.h"
 
 namespace weft {
@@ -14,7 +14,8 @@ weft_place Tile::place(uint32_t axis, int64_t pixel, uint32_t fraction) const
 weft_pair Tile::pair(uint32_t axis, const weft_place& place, int32_t level) const
 {
     const weft_mip& mip = tile->source->level[level];
-    return axis == 0 ? weft_pair_at(place, level, mip.scale_x, mip.width) : weft_pair_at(place, level, mip.scale_y, mip.height);
+    return axis == 0 ? weft_pair_at(place, level, mip.scale_x, mip.width)
+                     : weft_pair_at(place, level, mip.scale_y, mip.height);
 }
 
 namespace {
@@ -38,8 +39,8 @@ constexpr uint32_t shortest_run = 16;
 
 } // namespace
 
-void tile_point(const Tile& tile, const int64_t* pixel, const uint32_t* fraction, float level, uint32_t first, uint32_t count,
-                float* f)
+void tile_point(const Tile& tile, const int64_t* pixel, const uint32_t* fraction, float level, uint32_t first,
+                uint32_t count, float* f)
 {
     const weft_between between = tile.level(level);
     const weft_place places[2] = {tile.place(0, pixel[0], fraction[0]), tile.place(1, pixel[1], fraction[1])};
@@ -54,7 +55,8 @@ bool Tile_block::Level::begin(const Tile& tile, const Block& block, int32_t whic
     whole = which;
     stride = (block.width + 15) & ~uint32_t(15);
     size = tile.tile->source->level[which].width;
-    if (!indices.reserve(2 * size_t(stride)) || !t.reserve(stride) || !runs.reserve(stride) || !expanded.reserve(2 * size_t(stride)))
+    if (!indices.reserve(2 * size_t(stride)) || !t.reserve(stride) || !runs.reserve(stride) ||
+        !expanded.reserve(2 * size_t(stride)))
         return false;
     const uint32_t fraction = block.level == 0 ? WEFT_FRACTION_HALF : 0;
     const int64_t step = int64_t(1) << block.level;

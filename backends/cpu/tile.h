@@ -18,14 +18,13 @@ struct Tile {
 };
 
 /// f of planes first..first + count - 1 at a position.
-void tile_point(const Tile& tile, const int64_t* pixel, const uint32_t* fraction, float level, uint32_t first, uint32_t count,
-                float* f);
+void tile_point(const Tile& tile, const int64_t* pixel, const uint32_t* fraction, float level, uint32_t first,
+                uint32_t count, float* f);
 
 /// Renders strips of one block of a TILE layer.
 class Tile_block {
 public:
-    explicit Tile_block(const weft_host* host)
-        : chain_{Level(host), Level(host)}, blend_(host) {}
+    explicit Tile_block(const weft_host* host) : chain_{Level(host), Level(host)}, blend_(host) {}
 
     bool begin(const Rows& rows, const Tile& tile, const Block& block);
     void strip(const Strip& strip);
