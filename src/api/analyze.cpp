@@ -28,8 +28,8 @@ weft_status weft_analyze_picture(weft_context* context, const weft_image* pictur
         require(context, function, ": context is NULL");
         require(model, function, ": model is NULL");
         check_image(picture, function, "picture");
-        require(picture->width <= most_side && picture->height <= most_side, function, ": picture is ", picture->width, " x ",
-                picture->height, ", not within 16384 x 16384");
+        require(picture->width <= most_side && picture->height <= most_side, function, ": picture->width and ->height are ",
+                picture->width, " x ", picture->height, ", not within 16384 x 16384");
         Core& core = *context->core;
         Model made;
         made.method = WEFT_METHOD_PICTURE;

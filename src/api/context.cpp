@@ -10,13 +10,14 @@ namespace {
 /// The caller's allocator as the standard library wants it: for the core alone, whose memory cannot lie in itself.
 template <class T> struct Bare_allocator {
     using value_type = T;
-    explicit Bare_allocator(const weft_allocator& allocator) noexcept : table(allocator) {}
-    template <class U> Bare_allocator(const Bare_allocator<U>& other) noexcept : table(other.table) {}
+    Bare_allocator(const weft_allocator& allocator, std::size_t& counter) noexcept : table(allocator), bytes(&counter) {}
+    template <class U> Bare_allocator(const Bare_allocator<U>& other) noexcept : table(other.table), bytes(other.bytes) {}
 
     T* allocate(std::size_t count)
     {
         void* memory = table.allocate(table.user, count * sizeof(T), alignof(T));
         if (!memory) throw std::bad_alloc();
+        *bytes = count * sizeof(T);
         return static_cast<T*>(memory);
     }
     void deallocate(T* memory, std::size_t count) noexcept { table.deallocate(table.user, memory, count * sizeof(T), alignof(T)); }
@@ -24,6 +25,7 @@ template <class T> struct Bare_allocator {
     template <class U> bool operator!=(const Bare_allocator<U>&) const noexcept { return false; }
 
     weft_allocator table;
+    std::size_t* bytes; ///< of the last allocation
 };
 
 constexpr std::uint32_t most_threads = 1024;
@@ -45,9 +47,11 @@ weft_status weft_context_create(const weft_context_options* given, weft_context*
         require(context, function, ": context is NULL");
         const auto options = read_options(given, function, "options");
         check(options, function);
-        const Bare_allocator<Core> allocator(options.allocator ? *options.allocator : malloc_allocator);
+        std::size_t own = 0;
+        const Bare_allocator<Core> allocator(options.allocator ? *options.allocator : malloc_allocator, own);
         const auto core =
             std::allocate_shared<Core>(allocator, options.allocator, options.memory_limit, options.threads, options.executor);
+        core->memory.charge(own);
         const Device_choice choice = Registry::instance().choose(options.device, function);
         auto device = make_in<Device>(core, core->memory, choice, function);
         *context = make_handle<weft_context>(core, std::move(device));

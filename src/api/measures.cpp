@@ -19,8 +19,8 @@ void check_result(const weft_image* image, const weft_image* result, const char*
     require(result->format == WEFT_FORMAT_F32, function, ": ", argument, "->format is ", result->format, ", not WEFT_FORMAT_F32");
     require(result->channels == image->channels, function, ": ", argument, "->channels is ", result->channels, ", the image has ",
             image->channels);
-    require(result->width <= image->width && result->height <= image->height, function, ": ", argument, " is ", result->width, " x ",
-            result->height, ", the image is ", image->width, " x ", image->height);
+    require(result->width <= image->width && result->height <= image->height, function, ": ", argument,
+            "->width and ->height are ", result->width, " x ", result->height, ", the image is ", image->width, " x ", image->height);
 }
 
 } // namespace
@@ -70,8 +70,8 @@ weft_status weft_compare(weft_context* context, const weft_image* exemplar, cons
         require(exemplar->channels == output->channels, function, ": output->channels is ", output->channels, ", the exemplar has ",
                 exemplar->channels);
         for (const weft_image* image : {exemplar, output})
-            require(image->width >= 16 && image->height >= 16, function, ": ", image == exemplar ? "exemplar" : "output", " is ",
-                    image->width, " x ", image->height, ", less than 16 x 16");
+            require(image->width >= 16 && image->height >= 16, function, ": ", image == exemplar ? "exemplar" : "output",
+                    "->width and ->height are ", image->width, " x ", image->height, ", less than 16 x 16");
         const auto options = read_options(given, function, "options");
         check_zero(options.zero, function, "options");
         const std::uint32_t size = checked_size(comparison, function, "comparison");

@@ -113,7 +113,8 @@ weft_status weft_model_part(const weft_model* model, uint32_t index, weft_part_i
         const Model& known = model->loaded.object->model;
         const Planes& planes = planes_of(known);
         weft_part_info part{};
-        std::strcpy(part.name, known.method == WEFT_METHOD_TEXTON ? "texton" : "picture");
+        const std::string_view name = known.method == WEFT_METHOD_TEXTON ? "texton" : "picture";
+        std::copy(name.begin(), name.end(), part.name);
         part.width = planes.width;
         part.height = planes.height;
         part.channels = planes.count;
@@ -133,8 +134,8 @@ weft_status weft_model_part_read(const weft_model* model, uint32_t index, const 
         const Planes& planes = planes_of(model->loaded.object->model);
         require(image->format == WEFT_FORMAT_F32, function, ": image->format is ", image->format, ", not WEFT_FORMAT_F32");
         require(image->channels == planes.count, function, ": image->channels is ", image->channels, ", the part has ", planes.count);
-        require(image->width == planes.width && image->height == planes.height, function, ": image is ", image->width, " x ", image->height,
-                ", the part is ", planes.width, " x ", planes.height);
+        require(image->width == planes.width && image->height == planes.height, function, ": image is ", image->width, " x ",
+                image->height, ", the part is ", planes.width, " x ", planes.height);
         write_window(*image, 0, 0, planes.width, planes.height, planes.values.data(), planes.width, planes.height);
     });
 }

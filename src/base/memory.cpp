@@ -59,14 +59,22 @@ void Memory::give(void* memory, std::size_t bytes, std::size_t alignment) noexce
     used_.fetch_sub(size, std::memory_order_relaxed);
 }
 
+void Memory::refuse(std::uint64_t bytes) const
+{
+    if (bytes > room()) throw Error(WEFT_ERROR_MEMORY, bytes, " bytes are needed beside the ", used(), " held; memory_limit is ", limit_);
+    throw Error(WEFT_ERROR_MEMORY, "the allocator refused ", bytes, " bytes");
+}
+
+void Memory::charge(std::uint64_t bytes)
+{
+    if (!reserve(bytes)) refuse(bytes);
+}
+
 void* Memory::do_allocate(std::size_t bytes, std::size_t alignment)
 {
     void* memory = take(bytes, alignment);
-    if (memory) return memory;
-    const std::uint64_t held = used();
-    if (bytes > limit_ || held > limit_ - bytes)
-        throw Error(WEFT_ERROR_MEMORY, bytes, " bytes are needed beside the ", held, " held; memory_limit is ", limit_);
-    throw Error(WEFT_ERROR_MEMORY, "the allocator refused ", bytes, " bytes");
+    if (!memory) refuse(bytes);
+    return memory;
 }
 
 } // namespace weft

@@ -13,6 +13,7 @@ extern const weft_allocator malloc_allocator;
 class Memory final : public std::pmr::memory_resource {
 public:
     Memory(const weft_allocator* allocator, std::uint64_t limit) noexcept; ///< NULL: malloc; 0: 4 GiB
+    void charge(std::uint64_t bytes); ///< counts, for good, what was allocated elsewhere: that which this object lies in
     std::uint64_t used() const noexcept { return used_.load(std::memory_order_relaxed); }
     std::uint64_t limit() const noexcept { return limit_; }
     std::uint64_t room() const noexcept; ///< what the limit leaves
@@ -22,6 +23,7 @@ public:
     void give(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
 
 private:
+    [[noreturn]] void refuse(std::uint64_t bytes) const;
     bool reserve(std::uint64_t bytes) noexcept;
     void* do_allocate(std::size_t bytes, std::size_t alignment) override;
     void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override { give(memory, bytes, alignment); }

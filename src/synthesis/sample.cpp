@@ -3,6 +3,7 @@
 #include "synthesis/footprint.h"
 #include "synthesis/texture.h"
 #include <algorithm>
+#include <cmath>
 
 namespace weft {
 
@@ -10,6 +11,14 @@ namespace {
 
 constexpr char function[] = "weft_texture_sample";
 constexpr std::uint32_t small_batch = 64; ///< spots that fit the stack of any thread
+
+[[noreturn]] void refuse(std::size_t i, const weft_point& point)
+{
+    constexpr double most = 4503599627370496.0;
+    const bool x = std::abs(point.x) < most, y = std::abs(point.y) < most;
+    if (!x || !y) throw Error(WEFT_ERROR_ARGUMENT, function, ": points[", i, "].", x ? "y is " : "x is ", x ? point.y : point.x, ", not within 2^52");
+    throw Error(WEFT_ERROR_ARGUMENT, function, ": points[", i, "].dx or .dy is not finite");
+}
 
 /// Fills one batch after another from a row of points.
 class Batches {
@@ -83,7 +92,7 @@ void Texture::sample(std::size_t count, const weft_point* points, float* out) co
     require(count == 0 || points, function, ": points is NULL");
     require(count == 0 || out, function, ": out is NULL");
     for (std::size_t i = 0; i < count; ++i)
-        require(is_good(points[i]), function, ": points[", i, "] has a number that is not finite, or a position beyond 2^52");
+        if (!is_good(points[i])) refuse(i, points[i]);
     Room room(scratch_, count);
     Batches batches(points_, room.scratch(), channels());
     while (count > 0) {
