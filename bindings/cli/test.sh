@@ -6,6 +6,7 @@ photo=$exemplars/ground.png grey=$exemplars/gravel.png
 here=$(mktemp -d) || exit 1
 trap 'rm -rf "$here"' EXIT
 cd "$here" || exit 1
+unset WEFT_BACKEND_PATH
 failures=0 checks=0
 
 bad() { failures=$((failures + 1)); echo "FAILED: $*"; }
