@@ -169,8 +169,8 @@ static void model_info_and_parts(void **state)
         weft_image wrong = good;
         const char *word = "";
         switch (i) {
-        case 0: wrong.width -= 1, word = "width"; break;
-        case 1: wrong.height -= 1, word = "height"; break;
+        case 0: wrong.width -= 1, word = "7 x 8"; break;
+        case 1: wrong.height -= 1, word = "8 x 7"; break;
         case 2: wrong.channels = 2, word = "channels"; break;
         case 3: wrong.format = WEFT_FORMAT_U16, word = "format"; break;
         case 4: wrong.data = NULL, word = "data"; break;
@@ -261,14 +261,14 @@ static void sampling(void **state)
         for (int axis = 0; axis < 2; ++axis) {
             weft_point points[3] = {origin, origin, origin};
             *(axis ? &points[2].y : &points[2].x) = far_off[i];
-            REFUSED(weft_texture_sample(noise, 3, points, out), function, axis ? "y" : "x");
+            REFUSED(weft_texture_sample(noise, 3, points, out), function, "points[2]");
         }
     const float steep[] = {NAN, INFINITY, -INFINITY};
     for (size_t i = 0; i < sizeof steep / sizeof *steep; ++i)
         for (int k = 0; k < 4; ++k) {
             weft_point points[3] = {origin, origin, origin};
             (k < 2 ? points[2].dx : points[2].dy)[k % 2] = steep[i];
-            REFUSED(weft_texture_sample(noise, 3, points, out), function, k < 2 ? "dx" : "dy");
+            REFUSED(weft_texture_sample(noise, 3, points, out), function, "points[2]");
         }
     assert_memory_equal(out, before, sizeof out);
     assert_ok(weft_texture_sample(noise, 0, NULL, NULL));

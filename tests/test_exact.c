@@ -93,8 +93,8 @@ static void close_case(Case *c)
 static void windows_of(const Case *c, Random *random, uint32_t number)
 {
     const uint32_t sizes[][2] = {{1, 1}, {64, 64}, {37, 53}, {97, 21}, {1, 40}, {130, 1}, {16, 9}};
-    const uint32_t pick = random_below(random, 7), costly = c->options.impacts > 200 || c->channels > 6;
-    const uint32_t width = costly ? (sizes[pick][0] + 2) / 3 : sizes[pick][0], height = costly ? (sizes[pick][1] + 2) / 3 : sizes[pick][1];
+    const uint32_t pick = random_below(random, 7), costly = c->options.impacts > 90 || c->channels > 6;
+    const uint32_t width = costly ? (sizes[pick][0] + 3) / 4 : sizes[pick][0], height = costly ? (sizes[pick][1] + 3) / 4 : sizes[pick][1];
     const uint32_t level = random_below(random, 3) ? 0 : random_below(random, 10) ? random_below(random, 8) : random_below(random, 31);
     int64_t x = random_place(random), y = random_place(random);
     if (level > 18) x >>= 20, y >>= 20;
@@ -144,7 +144,7 @@ static void random_cases(void **state)
 {
     (void)state;
     Random random = {20170612};
-    for (uint32_t i = 0; i < scaled(120, 16); ++i) {
+    for (uint32_t i = 0; i < scaled(60, 12); ++i) {
         Case c = open_case(&random);
         for (int k = 0; k < 4; ++k) windows_of(&c, &random, i);
         points_of(&c, &random, i);
@@ -296,8 +296,10 @@ static void seeds_matter(void **state)
 static void formats_and_strides(void **state)
 {
     (void)state;
-    weft_model *model = new_texton(contexts[0], 16, 3, 8, WEFT_INTERPOLATION_LINEAR, 1);
-    weft_texture *texture = new_texture(contexts[0], model, 1, 3, 0); /* one impact: values far out as well */
+    static const char strong[] = "TEXTON\n1\n1\n0.5 0.6 0.7\n2 2\n0.5 -0.2 0.1\n-0.3 0.2 0.4\n0.2 0.3 -0.4\n0.1 0.3 0.1\nvalues beyond 0..1\n";
+    weft_model *model = NULL;
+    assert_ok(weft_model_load_texton(contexts[0], strong, sizeof strong - 1, &model));
+    weft_texture *texture = new_texture(contexts[0], model, 30, 3, 0);
     weft_image floats = rendered(texture, 5, 6, 0, 90, 41, 3);
     uint32_t clamped = 0;
     for (int f = 0; f < 3; ++f) {

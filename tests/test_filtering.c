@@ -1,7 +1,9 @@
 /* Filtering against the ideal, as in Figure 3 of the paper: a filtered sample against the mean of 20 x 20 samples of its pixel.
  *
  * The filter is a mip chain of the texton with probes along the major axis, no exact integral, so there is an error. The
- * bounds are of two kinds: against not filtering at all, and against the ideal's own deviation. */
+ * bounds are of two kinds: against the ideal's own deviation, and, where a bare sample is further off than the mean colour
+ * would be, against that sample. White noise is the worst case there is: no two neighbours of the texton are alike. What
+ * remains is blur: texels of a level are averages, and are interpolated linearly on top of that. */
 #include "support.h"
 #include <math.h>
 #include <stdlib.h>
@@ -93,33 +95,38 @@ static const Footprint footprints[] = {
 };
 #define FOOTPRINTS (sizeof footprints / sizeof *footprints)
 
+/* Where one sample without filtering is far from the ideal, filtering must bring it much nearer. */
 static void against_supersampling(const weft_model *model, double most_of_ideal, double most_of_unfiltered)
 {
     weft_model_info info = WEFT_MODEL_INFO_INIT;
+    int wrong = 0;
     assert_ok(weft_model_get(model, &info));
     weft_texture *texture = new_texture(context, model, 30, 5, 0);
     for (size_t i = 0; i < FOOTPRINTS; ++i) {
         const Footprint *footprint = &footprints[i];
         const Figures f = figures_of(texture, (double)info.mean[0], footprint->dx, footprint->dy, scaled(500, 100));
-        const int good = f.filtered_error <= most_of_ideal * f.ideal && f.filtered_error <= most_of_unfiltered * f.unfiltered_error;
+        const int needs_filtering = f.unfiltered_error > f.ideal;
+        const int good = f.filtered_error <= most_of_ideal * f.ideal &&
+                         (!needs_filtering || f.filtered_error <= most_of_unfiltered * f.unfiltered_error);
+        wrong += !good;
         if (!good || getenv("WEFT_TEST_FIGURES"))
             print_message("%-36s error %.3f of the ideal's deviation, %.3f of the unfiltered error; deviation %.3f of the ideal's\n",
                           footprint->name, f.filtered_error / f.ideal, f.filtered_error / f.unfiltered_error, f.filtered / f.ideal);
-        assert_true(good);
     }
+    assert_int_equal(wrong, 0);
     weft_texture_free(texture);
 }
 
 static void streaks_against_supersampling(void **state)
 {
     (void)state;
-    against_supersampling(soft, 0.6, 0.4);
+    against_supersampling(soft, 0.45, 0.5);
 }
 
 static void white_noise_against_supersampling(void **state)
 {
     (void)state;
-    against_supersampling(white, 0.9, 0.4);
+    against_supersampling(white, 0.8, 0.5);
 }
 
 /* A footprint smaller than a texel filters nothing; a rotation of the screen changes little. */
@@ -187,7 +194,7 @@ static void levels_of_a_picture(void **state)
     for (uint32_t level = 1; level <= 3; ++level) {
         double deviation = 0;
         const double error = level_error(texture, level, &deviation);
-        assert_true(deviation > 0.01);
+        assert_true(deviation > 0.003);
         assert_true(error < 1e-6);
     }
     weft_texture_free(texture);

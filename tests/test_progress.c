@@ -35,7 +35,7 @@ static int begin(void **state)
 {
     (void)state;
     makers = new_context("scalar", 1);
-    model = new_texton(makers, 32, 3, 16, WEFT_INTERPOLATION_LINEAR, 1);
+    model = new_texton(makers, 32, 1, 16, WEFT_INTERPOLATION_LINEAR, 1);
     photo = new_grain(GRAIN_SOFT, 32, 32, 3, 1);
     output = new_grain(GRAIN_SOFT, 48, 40, 3, 2);
     return 0;
@@ -66,8 +66,8 @@ static weft_status call_analyze(weft_context *context, Report *report)
 
 static weft_status call_render(weft_context *context, Report *report)
 {
-    weft_texture *texture = new_texture(context, model, 0, 0, 0);
-    weft_image image = new_image(scaled(700, 300), 300, 3, WEFT_FORMAT_U8);
+    weft_texture *texture = new_texture(context, model, 5, 0, 0);
+    weft_image image = new_image(600, scaled(1500, 700), 1, WEFT_FORMAT_U8);
     const weft_status status = weft_texture_render(texture, -100, 50, 0, on_progress, report, &image);
     free_image(&image);
     weft_texture_free(texture);
@@ -114,7 +114,7 @@ static void observe(Call call, uint32_t least_calls)
             assert_ok(observed(call, device[d], threads, 0, &report));
             assert_true(report.last == 1);
             assert_true(report.calls >= least_calls);
-            const uint32_t calls = report.calls, step = 1 + calls / scaled(60, 12);
+            const uint32_t calls = report.calls, step = 1 + calls / scaled(24, 8);
             for (uint32_t n = 1; n <= calls; n += n < 8 ? 1 : step) {
                 const weft_status status = observed(call, device[d], threads, n, &report);
                 if (status == WEFT_OK && report.calls < n) break; /* another number of threads' luck: fewer reports this time */
@@ -134,7 +134,7 @@ static void analysis(void **state)
 static void rendering(void **state)
 {
     (void)state;
-    observe(call_render, 3);
+    observe(call_render, 2);
 }
 
 static void comparison(void **state)
@@ -148,8 +148,8 @@ static void again_after_cancelling(void **state)
 {
     (void)state;
     weft_context *context = new_context(NULL, 2);
-    weft_texture *texture = new_texture(context, model, 0, 9, 0);
-    weft_image expected = rendered(texture, 0, 0, 0, 300, 200, 3), image = new_image(300, 200, 3, WEFT_FORMAT_F32);
+    weft_texture *texture = new_texture(context, model, 5, 9, 0);
+    weft_image expected = rendered(texture, 0, 0, 0, 600, 1100, 1), image = new_image(600, 1100, 1, WEFT_FORMAT_F32);
     Report report = {pthread_self(), 0, 2, 0, -1, -1, 0, 0, 0};
     assert_int_equal(weft_texture_render(texture, 0, 0, 0, on_progress, &report, &image), WEFT_ERROR_CANCELLED);
     assert_ok(weft_texture_render(texture, 0, 0, 0, NULL, NULL, &image));
