@@ -303,47 +303,51 @@ typedef struct weft_compare_options {
 } weft_compare_options;
 #define WEFT_COMPARE_OPTIONS_INIT { sizeof(weft_compare_options), 0, 0 }
 
-/* How close an output v is to its exemplar u. 0 is best but where said otherwise; -1: not defined for images this small
- * or this constant. Both are turned into the principal channels c of the exemplar, with variances s_c^2 and total s^2.
+/* How close an output v is to its exemplar u. 0 is best but where said otherwise; -1: not defined for images this
+ * small or this constant. Both are turned into the principal channels c of the exemplar, with variances s_c^2 and
+ * total s^2.
  *
- * What is good depends on the exemplar: the floor is what the same metric gives for a second sample of the same texture
- * (two halves of the photo; for a Gaussian model two realisations), and 1.25 times that is as good as can be told. The
- * figures below are for a 256 x 256 exemplar and a 512 x 512 output; bad is what linear blending of shifted copies, a blur
- * of one pixel and white noise of the same histogram gave on photographs. */
+ * What is good depends on the exemplar: the floor is what the same metric gives for a second sample of the same
+ * texture (two halves of the photo; for a Gaussian model two realisations), and 1.25 times that is as good as can be
+ * told. The figures below are for a 256 x 256 exemplar and a 512 x 512 output; bad is what linear blending of
+ * shifted copies, a blur of one pixel and white noise of the same histogram gave on photographs. */
 typedef struct weft_comparison {
   uint32_t size;
   /* Distance of the Gaussian textures of both spectra (Xia, Ferradans, Peyre, Aujol 2014):
    *   d^2 = |m_u - m_v|^2 + sum_k tr(A_k + B_k - 2 (A_k^1/2 B_k A_k^1/2)^1/2), divided by sum_k tr A_k, rooted;
-   * A, B: channels' covariance at frequency k, Welch's mean over Hann windows of 64 x 64 (less where images are smaller) at
-   * half overlap, at most 4096 windows. Good below 0.15; bad from 0.3. Promised by every model. */
+   * A, B: channels' covariance at frequency k, Welch's mean over Hann windows of 64 x 64 (less where images are
+   * smaller) at half overlap, at most 4096 windows. Good below 0.15; bad from 0.3. Promised by every model. */
   float    model_error;
-  /* Sliced Wasserstein distance of the colours (Bonneel, Rabin, Peyre, Pfister 2015): sum of W1(<d, u>, <d, v>) over 64
-   * random directions d over the sum of the deviations of <d, u>; W1 = integral of |quantile_u - quantile_v|. At most 2^17
-   * pixels of each, evenly spread. Good below 0.15; bad from 0.2. Gaussian models promise mean and variance only. */
+  /* Sliced Wasserstein distance of the colours (Bonneel, Rabin, Peyre, Pfister 2015): sum of W1(<d, u>, <d, v>) over
+   * 64 random directions d over the sum of the deviations of <d, u>; W1 = integral of |quantile_u - quantile_v|. At
+   * most 2^17 pixels of each, evenly spread. Good below 0.15; bad from 0.2. Gaussian models promise mean and
+   * variance only. */
   float    histogram_distance;
-  /* sum_c sum_t w_t (C_v(t) - C_u(t))^2 / sum_c sum_t w_t C_u(t)^2, rooted: C unbiased autocovariance, |t| <= 32 (or half
-   * the shortest side), w_t = 1 - |t| / 33; from 256 blocks of a large image. Good up to 1.25 times the floor, which is
-   * 0.1 to 0.5: autocovariances of small pictures are far from their mean; bad from 0.5, white noise 1. */
+  /* sum_c sum_t w_t (C_v(t) - C_u(t))^2 / sum_c sum_t w_t C_u(t)^2, rooted: C unbiased autocovariance, |t| <= 32 (or
+   * half the shortest side), w_t = 1 - |t| / 33; from 256 blocks of a large image. Good up to 1.25 times the floor,
+   * which is 0.1 to 0.5: autocovariances of small pictures are far from their mean; bad from 0.5, white noise 1. */
   float    autocovariance_error;
-  /* Sliced Wasserstein distance of whitened patches: 7 x 7, own mean off, principal components of u's patches scaled to
-   * variance 1 (those below 1e-4 of the greatest left out), mean of W1 over 128 random directions; channels weigh s_c,
-   * those below 1e-4 of the first variance nothing. 2^14 patches of each, so that 0.012 is as good as 0. Levels: means of
-   * 1, 2 x 2, 4 x 4 pixels; patch_distance is the mean of those that are defined. Good below 0.1; bad from 0.2. Structured
-   * photos against Gaussian textures: up to 0.35, as it must be. */
+  /* Sliced Wasserstein distance of whitened patches: 7 x 7, own mean off, principal components of u's patches scaled
+   * to variance 1 (those below 1e-4 of the greatest left out), mean of W1 over 128 random directions; channels weigh
+   * s_c, those below 1e-4 of the first variance nothing. 2^14 patches of each, so that 0.012 is as good as 0.
+   * Levels: means of 1, 2 x 2, 4 x 4 pixels; patch_distance is the mean of those that are defined. Good below 0.1;
+   * bad from 0.2. Structured photos against Gaussian textures: up to 0.35, as it must be. */
   float    patch_distance;
   float    patch_distance_level[3];
-  /* Highest peak of v's circular autocovariance, sum_c C_v(t) / C_v(0), at lags beyond 48 pixels (or half u's shorter side)
-   * along either axis, over the highest peak of 8 Gaussian textures with u's periodogram (asymptotic discrete spot noise:
-   * Galerne, Gousseau, Morel 2011) at v's size. Needs v of 4 times u's area; of larger outputs the middle, twice as large as
-   * u each way or 1024, is looked at. 1 is what chance gives, good below 1.6; plain repeats 2 to 18. */
+  /* Highest peak of v's circular autocovariance, sum_c C_v(t) / C_v(0), at lags beyond 48 pixels (or half u's
+   * shorter side) along either axis, over the highest peak of 8 Gaussian textures with u's periodogram (asymptotic
+   * discrete spot noise: Galerne, Gousseau, Morel 2011) at v's size. Needs v of 4 times u's area; of larger outputs
+   * the middle, twice as large as u each way or 1024, is looked at. 1 is what chance gives, good below 1.6; plain
+   * repeats 2 to 18. */
   float    repetition;
-  /* Share of random 9 x 9 windows of v (first channel, 500; fewer, from 64, for u beyond 0.5 megapixels) whose nearest
-   * window in u, by exhaustive search, has as right neighbour the nearest window of their right neighbour: coherence as
-   * Ashikhmin 2001 has it. Chance gives 0.15 to 0.35, good below 0.5; copies and plain repeats 0.9 to 1. */
+  /* Share of random 9 x 9 windows of v (first channel, 500; fewer, from 64, for u beyond 0.5 megapixels) whose
+   * nearest window in u, by exhaustive search, has as right neighbour the nearest window of their right neighbour:
+   * coherence as Ashikhmin 2001 has it. Chance gives 0.15 to 0.35, good below 0.5; copies and plain repeats 0.9 to
+   * 1. */
   float    verbatim_copy;
-  /* Of v alone, as a tile: with g_i the mean modulus of the first differences between lines i and i + 1, how many standard
-   * deviations of the inner g_i the border's g is from their mean; the same for second differences, which see kinks and
-   * blurred seams; the greatest modulus over both axes. Good below 2; crops that do not tile 4 to 130. */
+  /* Of v alone, as a tile: with g_i the mean modulus of the first differences between lines i and i + 1, how many
+   * standard deviations of the inner g_i the border's g is from their mean; the same for second differences, which
+   * see kinks and blurred seams; the greatest modulus over both axes. Good below 2; crops that do not tile 4 to 130. */
   float    seam_score;
 } weft_comparison;
 #define WEFT_COMPARISON_INIT { sizeof(weft_comparison), 0, 0, 0, 0, { 0 }, 0, 0, 0 }
