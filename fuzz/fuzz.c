@@ -16,8 +16,8 @@ weft_context *fuzz_context(const char *device)
         snprintf(names[i], sizeof names[i], "%s", device);
         return contexts[i];
     }
-    FUZZ_CHECK(!"more than four devices");
-    return NULL;
+    fprintf(stderr, "fuzz_context: more than four devices\n");
+    abort();
 }
 
 void fuzz_check_error(weft_status status)

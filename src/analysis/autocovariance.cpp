@@ -31,7 +31,8 @@ void correlate(const PlaneTransform& transform, const float* plane, std::uint32_
     for (std::uint32_t y = 0; y < lags.height; ++y)
         for (std::uint32_t x = 0; x < lags.width; ++x) {
             const std::int64_t lag_x = std::int64_t{x} - lags.width / 2, lag_y = std::int64_t{y} - lags.height / 2;
-            const float sum = padded.row(0, (lag_y + padded.height) % padded.height)[(lag_x + padded.width) % padded.width];
+            const auto row = static_cast<std::size_t>((lag_y + padded.height) % padded.height);
+            const float sum = padded.row(0, row)[(lag_x + padded.width) % padded.width];
             const double pairs = static_cast<double>(width - std::abs(lag_x)) * static_cast<double>(height - std::abs(lag_y));
             lags.row(channel, y)[x] = static_cast<float>(static_cast<double>(sum) * unit / pairs);
         }
