@@ -91,8 +91,8 @@ inline Vector shift(const Vector& v, const Vector& next)
 #endif
 }
 
-/// Two taps. Blocks come from right to left: `carry` is A1 of the block to the right, by row, and becomes that of this
-/// one.
+/// Two taps. Blocks come from right to left: `carry` is A1 of the block to the right, a vector by row, and becomes that
+/// of this one. It lies in memory, so that no register is held for it while a block is summed.
 struct Linear_block {
     static constexpr uint32_t rows = band_rows(2);
 
@@ -100,7 +100,7 @@ struct Linear_block {
     int64_t pitch;
     float offset;
     uint32_t stride, height; ///< of what is written; 0 rows of the block that lies beyond the window
-    Vector carry[rows];
+    float* carry;
 
     void sum(const float* texels, const uint32_t* list, uint32_t count, float* out)
     {
@@ -126,8 +126,9 @@ struct Linear_block {
         }
 #pragma GCC unroll 16
         for (uint32_t r = 0; r < rows; ++r) {
-            if (r < height) store((left[r] + shift(right[r], carry[r])) + same(offset), out + r * stride);
-            carry[r] = right[r];
+            if (r < height)
+                store((left[r] + shift(right[r], load(carry + r * lanes))) + same(offset), out + r * stride);
+            store(right[r], carry + r * lanes);
         }
     }
 };
@@ -136,7 +137,7 @@ struct Linear_block {
 /// of these, for each block of columns, those that reach the block, all in order; and the accumulators of a band.
 struct Band {
     uint32_t blocks, stride, limit;
-    float* sums;     ///< rows * taps * stride; none for two taps
+    float* sums;     ///< rows * taps * stride; with two taps rows * lanes, carried from block to block
     uint32_t* strip; ///< limit, as have the lists below
     uint32_t* band;
     uint32_t* lists;  ///< one for each block
@@ -147,10 +148,15 @@ struct Band {
 
 uint32_t blocks_for(uint32_t width, uint32_t taps) { return (width + taps - 1 + lanes - 1) / lanes; }
 
+size_t sum_count(uint32_t taps, uint32_t blocks)
+{
+    return size_t(band_rows(taps)) * lanes * (taps == 2 ? 1 : taps * (size_t(blocks) + 1));
+}
+
 size_t scratch(uint32_t impacts, uint32_t width, uint32_t taps)
 {
     const size_t blocks = blocks_for(width, taps);
-    const size_t sums = taps == 2 ? 0 : size_t(band_rows(taps)) * taps * (blocks + 1) * lanes;
+    const size_t sums = sum_count(taps, uint32_t(blocks));
     return (sums + (blocks + 2) * (size_t(impacts) + 1) + blocks) * sizeof(float);
 }
 
@@ -161,8 +167,7 @@ Band band_in(const Strip& strip, uint32_t impacts, uint32_t taps)
     band.stride = (band.blocks + 1) * lanes;
     band.limit = impacts + 1;
     band.sums = static_cast<float*>(strip.scratch);
-    band.strip =
-        reinterpret_cast<uint32_t*>(band.sums + (taps == 2 ? 0 : size_t(band_rows(taps)) * taps * band.stride));
+    band.strip = reinterpret_cast<uint32_t*>(band.sums + sum_count(taps, band.blocks));
     band.band = band.strip + band.limit;
     band.counts = band.band + band.limit;
     band.lists = band.counts + band.blocks;
@@ -233,7 +238,8 @@ template <> struct Rows_of<2> {
         for (uint32_t p = 0; p < splat.planes; ++p) {
             const float* plane = texels.data + p * texels.plane + int64_t(strip.first + y) * texels.row;
             float* out = strip.data + (size_t(p) * strip.count + y) * strip.stride;
-            Linear_block block = {found, texels.row, splat.offset[p], strip.stride, 0, {}};
+            Linear_block block = {found, texels.row, splat.offset[p], strip.stride, 0, band.sums};
+            for (uint32_t i = 0; i < block.rows * lanes; ++i) block.carry[i] = 0.0f;
             for (uint32_t b = band.blocks; b-- > 0;) {
                 block.height = b * lanes < strip.width ? height : 0;
                 block.sum(plane + b * lanes, band.list(b), band.counts[b], out + b * lanes);
