@@ -21,7 +21,7 @@ public:
     /// Calls render(window) and copies the pixels, then the same for the other windows; `values` moves on.
     template <class Render> static void look(Render render, float*& values)
     {
-        alignas(64) static constexpr std::int64_t corners[windows][3] = {
+        static constexpr std::int64_t corners[windows][3] = {
             {-5, -3, 0}, {(std::int64_t{1} << 40) - 7, -(std::int64_t{1} << 40) + 29, 0}, {-11, 8, 1}};
         for (const auto& corner : corners) {
             alignas(64) float pixels[channels * height * stride];

@@ -7,7 +7,7 @@ namespace weft::opencl {
 namespace {
 
 constexpr std::size_t group_size = 64;          // of the gathering kernels
-constexpr std::uint32_t most_spots = 65536;     // of one step
+constexpr std::uint64_t most_spots = 65536;     // of one step
 constexpr weft_u32 segment_blocks = 32;         // of one work-item of splat_bands
 constexpr std::uint64_t most_floats = 1u << 24; // of a workspace's field, sums and result together
 constexpr std::uint64_t most_cells = 1u << 20;  // from which one list of impacts is drawn
@@ -34,6 +34,8 @@ public:
     Lease(const Lease&) = delete;
     ~Lease()
     {
+        // After an error, too, nothing may still write to the caller's memory.
+        clFinish(texture_.workspaces_[index_]->queue.get());
         {
             const std::lock_guard lock(texture_.mutex_);
             texture_.taken_[index_] = false;
@@ -116,15 +118,15 @@ void Texture::render(const weft_window& window)
 void Texture::render_part(Workspace& work, const weft_window& part, std::size_t plane)
 {
     const weft_u32 stride = padded_stride(part.width), channels = tables_.program.channels;
-    const SamplesLayout samples = {part.x,
-                                   part.y,
-                                   part.level,
-                                   0,
-                                   part.width,
-                                   part.height,
-                                   stride,
-                                   stride * part.height,
-                                   device_.cpu ? stride : weft_u32{WEFT_SAMPLES}};
+    SamplesLayout samples = {};
+    samples.x = part.x;
+    samples.y = part.y;
+    samples.level = part.level;
+    samples.width = part.width;
+    samples.height = part.height;
+    samples.stride = stride;
+    samples.pitch = stride * part.height;
+    samples.span = device_.cpu ? stride : weft_u32{WEFT_SAMPLES};
     if (device_.cpu) return render_in_place(work, samples, part, plane);
     const cl_mem out = work.out.get(device_.context, std::size_t{samples.pitch} * channels * sizeof(float));
     evaluate(work, samples, &part, out, {1, stride, samples.pitch});
@@ -150,22 +152,28 @@ void Texture::render_in_place(Workspace& work, const SamplesLayout& samples, con
                                       nullptr, nullptr, &code);
     check(code, "clEnqueueMapBuffer");
     check(clEnqueueUnmapMemObject(work.queue.get(), out.get(), mapped, 0, nullptr, nullptr), "clEnqueueUnmapMemObject");
-    check(clFinish(work.queue.get()), "clFinish");
 }
 
 void Texture::sample(const weft_batch& batch)
 {
     Lease work(*this);
-    for (std::uint32_t first = 0; first < batch.count; first += most_spots)
-        sample_part(*work, batch.spots + first, std::min(most_spots, batch.count - first),
-                    batch.out + std::size_t{first} * tables_.program.channels);
+    const std::uint32_t channels = tables_.program.channels;
+    const auto step = static_cast<std::uint32_t>(std::min(most_spots, most_floats / (tables_.slots + channels)));
+    for (std::uint32_t first = 0; first < batch.count; first += step)
+        sample_part(*work, batch.spots + first, std::min(step, batch.count - first),
+                    batch.out + std::size_t{first} * channels);
 }
 
 void Texture::sample_part(Workspace& work, const weft_spot* spots, std::uint32_t count, float* out)
 {
     static_assert(sizeof(weft_spot) == sizeof(SpotLayout));
-    const weft_u32 stride = padded_stride(count), channels = tables_.program.channels;
-    const SamplesLayout samples = {0, 0, 0, 1, count, 1, stride, stride, (device_.cpu ? 16u : 1u) * WEFT_SAMPLES};
+    const weft_u32 channels = tables_.program.channels;
+    SamplesLayout samples = {};
+    samples.spots = 1;
+    samples.width = count;
+    samples.height = 1;
+    samples.stride = samples.pitch = padded_stride(count);
+    samples.span = (device_.cpu ? 16u : 1u) * WEFT_SAMPLES;
     const cl_mem buffer = work.spots.get(device_.context, count * sizeof *spots);
     check(
         clEnqueueWriteBuffer(work.queue.get(), buffer, CL_FALSE, 0, count * sizeof *spots, spots, 0, nullptr, nullptr),
