@@ -117,16 +117,16 @@ static void analysis(void **state)
     REFUSED_HANDLE(weft_analyze_texton(context, &photo, &later, NULL, NULL, &model), model, WEFT_ERROR_UNSUPPORTED, function, "zero");
 
     weft_image narrow = new_grain(GRAIN_SOFT, 7, 16, 1, 4), flat = new_grain(GRAIN_SOFT, 16, 7, 1, 4);
-    REFUSED_HANDLE(weft_analyze_texton(context, &narrow, NULL, NULL, NULL, &model), model, argument, function, "width");
-    REFUSED_HANDLE(weft_analyze_texton(context, &flat, NULL, NULL, NULL, &model), model, argument, function, "height");
+    REFUSED_HANDLE(weft_analyze_texton(context, &narrow, NULL, NULL, NULL, &model), model, argument, function, "7 x 16");
+    REFUSED_HANDLE(weft_analyze_texton(context, &flat, NULL, NULL, NULL, &model), model, argument, function, "16 x 7");
     free_image(&narrow);
     free_image(&flat);
     weft_image wide = new_image(16385, 8, 1, WEFT_FORMAT_U8), tall = new_image(8, 16385, 1, WEFT_FORMAT_U8);
-    REFUSED_HANDLE(weft_analyze_picture(context, &wide, &model), model, argument, "weft_analyze_picture", "width");
-    REFUSED_HANDLE(weft_analyze_picture(context, &tall, &model), model, argument, "weft_analyze_picture", "height");
+    REFUSED_HANDLE(weft_analyze_picture(context, &wide, &model), model, argument, "weft_analyze_picture", "16385");
+    REFUSED_HANDLE(weft_analyze_picture(context, &tall, &model), model, argument, "weft_analyze_picture", "16385");
     wide.width = tall.height = 8193;
-    REFUSED_HANDLE(weft_analyze_texton(context, &wide, NULL, NULL, NULL, &model), model, argument, function, "width");
-    REFUSED_HANDLE(weft_analyze_texton(context, &tall, NULL, NULL, NULL, &model), model, argument, function, "height");
+    REFUSED_HANDLE(weft_analyze_texton(context, &wide, NULL, NULL, NULL, &model), model, argument, function, "8193");
+    REFUSED_HANDLE(weft_analyze_texton(context, &tall, NULL, NULL, NULL, &model), model, argument, function, "8193");
     free_image(&wide);
     free_image(&tall);
 }

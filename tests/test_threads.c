@@ -70,7 +70,7 @@ static void any_executor_gives_the_same_bytes(void **state)
         expected[d] = result_of(over(NULL, 1, device[d]));
         const weft_executor *const executor[] = {NULL, NULL, NULL, &serial_executor, &reversed_executor, &threads_executor};
         const uint32_t threads[] = {2, 5, 0, 1, 1, 4};
-        for (int i = 0; i < 6; ++i) {
+        for (int i = 0; i < 6; i += d == 0 ? 1 : 2) { /* the best device: its pool, the machine's, reversed */
             const Result result = result_of(over(executor[i], threads[i], device[d]));
             assert_int_equal(result.model, expected[d].model);
             assert_int_equal(result.pixels, expected[d].pixels);
@@ -95,7 +95,7 @@ typedef struct Visitor {
 static void visit(Visitor *visitor)
 {
     const weft_image *expected = visitor->expected;
-    for (uint32_t round = 0; round < scaled(12, 3); ++round) {
+    for (uint32_t round = 0; round < scaled(6, 2); ++round) {
         Random random = {visitor->number * 1000 + round};
         const uint32_t x = random_below(&random, WIDTH - 41), y = random_below(&random, HEIGHT - 37);
         float window[41 * 37 * 3], sample[3];
