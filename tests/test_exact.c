@@ -124,7 +124,7 @@ static void points_of(const Case *c, Random *random, uint32_t number)
                                   {size * (float)(random_unit(random) - 0.5), size * (float)random_unit(random)}};
         points[i] = point;
     }
-    const size_t count = c->options.impacts > 200 ? COUNT / 5 : COUNT;
+    const size_t count = c->options.impacts > 90 ? COUNT / 5 : COUNT;
     float expected[COUNT * 16], out[COUNT * 16];
     assert_ok(weft_texture_sample(c->textures[0], count, points, expected));
     for (uint32_t d = 0; d < device_count; ++d) {
@@ -144,7 +144,7 @@ static void random_cases(void **state)
 {
     (void)state;
     Random random = {20170612};
-    for (uint32_t i = 0; i < scaled(60, 12); ++i) {
+    for (uint32_t i = 0; i < scaled(40, 10); ++i) {
         Case c = open_case(&random);
         for (int k = 0; k < 4; ++k) windows_of(&c, &random, i);
         points_of(&c, &random, i);
@@ -156,14 +156,15 @@ static void random_cases(void **state)
 static void every_order_and_number_of_channels(void **state)
 {
     (void)state;
-    for (uint32_t channels = 1; channels <= 16; channels += scaled(1, 5))
+    const uint32_t numbers[] = {1, 3, 16, 2, 4, 5, 8, 11};
+    for (uint32_t i = 0; i < scaled(8, 3); ++i)
         for (int order = 0; order < 4; ++order) {
+            const uint32_t channels = numbers[i];
             weft_model *model = new_texton(contexts[0], 16, channels, 11, interpolations[order], channels);
             Case c = {model, channels, {NULL}, WEFT_TEXTURE_OPTIONS_INIT};
             c.options.impacts = 12;
             for (uint32_t d = 0; d < device_count; ++d) assert_ok(weft_texture_create(contexts[d], model, &c.options, &c.textures[d]));
             Random random = {channels * 10 + (uint32_t)order};
-            windows_of(&c, &random, channels);
             windows_of(&c, &random, channels);
             points_of(&c, &random, channels);
             close_case(&c);
