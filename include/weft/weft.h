@@ -316,7 +316,7 @@ typedef struct weft_comparison {
   /* Distance of the Gaussian textures of both spectra (Xia, Ferradans, Peyre, Aujol 2014):
    *   d^2 = |m_u - m_v|^2 + sum_k tr(A_k + B_k - 2 (A_k^1/2 B_k A_k^1/2)^1/2), divided by sum_k tr A_k, rooted;
    * A, B: channels' covariance at frequency k, Welch's mean over Hann windows of 64 x 64 (less where images are
-   * smaller) at half overlap, at most 4096 windows. Good below 0.15; bad from 0.3. Promised by every model. */
+   * smaller) at half overlap, at most 4096 windows. Good below 0.15; bad from 0.22. Promised by every model. */
   float    model_error;
   /* Sliced Wasserstein distance of the colours (Bonneel, Rabin, Peyre, Pfister 2015): sum of W1(<d, u>, <d, v>) over
    * 64 random directions d over the sum of the deviations of <d, u>; W1 = integral of |quantile_u - quantile_v|. At
@@ -325,29 +325,29 @@ typedef struct weft_comparison {
   float    histogram_distance;
   /* sum_c sum_t w_t (C_v(t) - C_u(t))^2 / sum_c sum_t w_t C_u(t)^2, rooted: C unbiased autocovariance, |t| <= 32 (or
    * half the shortest side), w_t = 1 - |t| / 33; from 256 blocks of a large image. Good up to 1.25 times the floor,
-   * which is 0.1 to 0.5: autocovariances of small pictures are far from their mean; bad from 0.5, white noise 1. */
+   * which is 0.1 to 0.7: autocovariances of small pictures are far from their mean; bad from 0.5, but blind to blur. */
   float    autocovariance_error;
   /* Sliced Wasserstein distance of whitened patches: 7 x 7, own mean off, principal components of u's patches scaled
    * to variance 1 (those below 1e-4 of the greatest left out), mean of W1 over 128 random directions; channels weigh
    * s_c, those below 1e-4 of the first variance nothing. 2^14 patches of each, so that 0.012 is as good as 0.
    * Levels: means of 1, 2 x 2, 4 x 4 pixels; patch_distance is the mean of those that are defined. Good below 0.1;
-   * bad from 0.2. Structured photos against Gaussian textures: up to 0.35, as it must be. */
+   * bad from 0.14. A Gaussian texture of a structured photo is at 0.02 to 0.21: so small a patch sees little of it. */
   float    patch_distance;
   float    patch_distance_level[3];
   /* Highest peak of v's circular autocovariance, sum_c C_v(t) / C_v(0), at lags beyond 48 pixels (or half u's
    * shorter side) along either axis, over the highest peak of 8 Gaussian textures with u's periodogram (asymptotic
    * discrete spot noise: Galerne, Gousseau, Morel 2011) at v's size. Needs v of 4 times u's area; of larger outputs
    * the middle, twice as large as u each way or 1024, is looked at. 1 is what chance gives, good below 1.6; plain
-   * repeats 2 to 18. */
+   * repeats 3 to 23. */
   float    repetition;
   /* Share of random 9 x 9 windows of v (first channel, 500; fewer, from 64, for u beyond 0.5 megapixels) whose
    * nearest window in u, by exhaustive search, has as right neighbour the nearest window of their right neighbour:
-   * coherence as Ashikhmin 2001 has it. Chance gives 0.15 to 0.35, good below 0.5; copies and plain repeats 0.9 to
-   * 1. */
+   * coherence as Ashikhmin 2001 has it. Chance gives 0.15 to 0.35, good below 0.5; copies and plain repeats from 0.9
+   * to 1. */
   float    verbatim_copy;
   /* Of v alone, as a tile: with g_i the mean modulus of the first differences between lines i and i + 1, how many
    * standard deviations of the inner g_i the border's g is from their mean; the same for second differences, which
-   * see kinks and blurred seams; the greatest modulus over both axes. Good below 2; crops that do not tile 4 to 130. */
+   * see kinks and blurred seams; the greatest modulus over both axes. Good below 2; crops that do not tile 3 to 130. */
   float    seam_score;
 } weft_comparison;
 #define WEFT_COMPARISON_INIT { sizeof(weft_comparison), 0, 0, 0, 0, { 0 }, 0, 0, 0 }

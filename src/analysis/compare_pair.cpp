@@ -11,7 +11,7 @@ namespace {
 constexpr double float_rounding = 1e-13; // relative to the greatest square: a variance below it is rounding
 constexpr double farthest = 1e9;         // in standard deviations of the exemplar: squares and sums stay finite floats
 
-std::uint32_t run_count(const Planes& planes) { return std::min(planes.height, 64u); }
+std::uint32_t run_count(const Planes& planes) { return std::min(planes.height, 256u); }
 
 /// Calls body(run, first row, last row) for a number of runs that depends on the picture alone.
 template <class Body> void for_each_rows(Core& core, const Planes& planes, const Progress& progress, const Body& body)

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t most_patches = 1u << 14; // the distance of two such samples of one law is about 0.012
 constexpr double least_eigenvalue = 1e-4;
-constexpr std::size_t chunk = 1024; // patches
+constexpr std::size_t chunk = 256; // patches
 
 void gather(const Planes& planes, std::uint32_t channel, std::uint32_t level, std::uint64_t place,
             float* patch) noexcept
@@ -71,7 +71,7 @@ Patches sample_patches(Core& core, const Planes& planes, std::uint32_t channel, 
     patches.count = sample.size();
     patches.values = Array<float>(&core.memory, patches.count * patch_size, Array<float>::unset);
     const auto chunks = static_cast<std::uint32_t>((patches.count + chunk - 1) / chunk);
-    const double cost = static_cast<double>(chunk * patch_size << (2 * level));
+    const double cost = 4.0 * static_cast<double>(chunk * patch_size << (2 * level));
     for_each_step(core, chunks, cost, progress, [&](std::uint32_t run) {
         for (std::size_t i = run * chunk; i < std::min(patches.count, (run + 1) * chunk); ++i) {
             float patch[patch_size];

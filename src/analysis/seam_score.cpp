@@ -25,10 +25,10 @@ struct Lines {
     }
 };
 
-/// Lines are taken in runs of 32, so that columns are read a cache line at a time.
+/// Lines are taken in runs of 16, so that columns are read a cache line at a time.
 Differences differences_of(Core& core, const Lines& lines, const Progress& progress)
 {
-    constexpr std::size_t run_length = 32;
+    constexpr std::size_t run_length = 16;
     const std::size_t count = lines.count(), length = lines.length();
     Differences result{Array<double>(&core.memory, count), Array<double>(&core.memory, count)};
     const auto runs = static_cast<std::uint32_t>((count + run_length - 1) / run_length);
