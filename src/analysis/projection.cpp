@@ -1,7 +1,6 @@
 /// The projections' pass: rows in, blocks of columns through, rows out.
 #include "analysis/projection.h"
 #include "analysis/projection_rows.h"
-#include "analysis/statistics.h"
 #include "analysis/white_noise.h"
 #include <algorithm>
 
@@ -132,19 +131,6 @@ ModelSums Projection::measure(const Planes& coefficients)
         total.power += part.power;
     }
     return total;
-}
-
-Matrix Projection::covariance(const Planes& coefficients)
-{
-    Array<Matrix> parts(&core_.memory, target_.blocks());
-    rows_forward(coefficients);
-    for_each_block([&](std::uint32_t b, Complex* block) {
-        columns_forward(b, block);
-        parts[b] = block_covariance(target_, b, block, [&](std::uint32_t lane, std::uint32_t y) {
-            return static_cast<double>(b_x_[b * fft_lanes + lane] * b_y_[y]);
-        });
-    });
-    return sum_of(parts, target_.count);
 }
 
 } // namespace weft

@@ -1,6 +1,5 @@
 /// One pass of the texton's projections over all frequencies, for coefficients that live on a small support.
 #pragma once
-#include "analysis/matrix.h"
 #include "analysis/spectra.h"
 #include "analysis/spline.h"
 
@@ -29,8 +28,6 @@ public:
     /// `result` <- the form's value cut to the support. s = T*a^ / sqrt(|T*a^|^2 + smoothing^2), a phase when smoothing is 0.
     void apply(Form form, float smoothing, const Planes& coefficients, Planes& result);
     ModelSums measure(const Planes& coefficients);
-    /// Of the noise that the coefficients make, between channels, times the pixels of Omega.
-    Matrix covariance(const Planes& coefficients);
 
 private:
     template <class Body> void for_each_block(const Body& body);

@@ -64,6 +64,25 @@ Centring centre(Core& core, Planes& planes)
     return centring;
 }
 
+Matrix block_covariance(const Spectra& spectra, std::uint32_t b, const Complex* block, double unit) noexcept
+{
+    Matrix sum;
+    sum.size = spectra.count;
+    for (std::uint32_t lane = 0; lane < fft_lanes; ++lane) {
+        const double factor = unit * static_cast<double>(spectra.weight(b * fft_lanes + lane));
+        if (factor == 0) continue;
+        for (std::uint32_t y = 0; y < spectra.height; ++y) {
+            const Complex* values = block + std::size_t{y} * fft_lanes + lane;
+            for (std::uint32_t i = 0; i < sum.size; ++i)
+                for (std::uint32_t j = i; j < sum.size; ++j) {
+                    const std::complex<double> u(values[i * spectra.block_size()]), v(values[j * spectra.block_size()]);
+                    sum[i][j] += factor * (u.real() * v.real() + u.imag() * v.imag());
+                }
+        }
+    }
+    return sum;
+}
+
 Matrix sum_of(const Array<Matrix>& parts, std::uint32_t size) noexcept
 {
     Matrix sum;

@@ -1,5 +1,6 @@
 /// The texton of a photo: projections from white noise on, then the colour correction (paper, sections 4.2 and 4.3).
 #include "analysis/texton.h"
+#include "analysis/noise_covariance.h"
 #include "analysis/projection.h"
 #include "analysis/target.h"
 #include "base/image.h"
@@ -126,7 +127,7 @@ Texton learn(Core& core, const Target& target, const SplineSamples& samples, con
     }
     progress.at(0.95);
     const Matrix correction =
-        square_root(target.covariance) * inverse_square_root(projection.covariance(coefficients), rank_tolerance);
+        square_root(target.covariance) * inverse_square_root(noise_covariance(core, samples, coefficients), rank_tolerance);
     multiply(core, correction, coefficients);
     progress.at(0.97);
     texton.model_error = static_cast<float>(model_error(projection, target, coefficients));

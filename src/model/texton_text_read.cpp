@@ -45,6 +45,11 @@ public:
         if (result.ec != std::errc() || result.ptr != last || !std::isfinite(number)) fail(what);
         return number;
     }
+    /// A number at the text's very end may have been cut short.
+    void require_more() const
+    {
+        if (at_ == end_) throw Error(WEFT_ERROR_FORMAT, function, "the text ends within line ", line_, ", where a number may be cut short");
+    }
     std::uint64_t line() const noexcept { return line_; }
     std::size_t left() const noexcept { return static_cast<std::size_t>(end_ - at_); }
 
@@ -89,6 +94,7 @@ Planes read_coefficients(Core& core, Tokens& tokens, std::uint32_t width, std::u
     for (std::uint32_t y = height; y-- > 0;)
         for (std::uint32_t x = 0; x < width; ++x)
             for (std::uint32_t c = 0; c < colours; ++c) planes.row(c, y)[x] = tokens.number("a coefficient");
+    tokens.require_more();
     return is_framed(planes) ? without_frame(core, planes) : std::move(planes);
 }
 
