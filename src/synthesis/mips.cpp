@@ -1,5 +1,6 @@
 /// Averages in double, each rounded to float once, in a fixed order: the same on every machine.
 #include "synthesis/mips.h"
+#include "synthesis/refinement.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -80,16 +81,6 @@ std::uint32_t side_at(std::uint32_t side, std::uint32_t level) noexcept
     return std::max(1U, (side + (1U << level) / 2) >> level);
 }
 
-void average_four(const Planes& fine, Planes& coarse, std::uint32_t c, std::uint32_t y) noexcept
-{
-    const auto at = [&](std::uint32_t i, std::uint32_t j) {
-        return i < fine.width && j < fine.height ? static_cast<double>(fine.row(c, j)[i]) : 0.0;
-    };
-    for (std::uint32_t x = 0; x < coarse.width; ++x)
-        coarse.row(c, y)[x] = static_cast<float>(
-            0.25 * ((at(2 * x, 2 * y) + at(2 * x + 1, 2 * y)) + (at(2 * x, 2 * y + 1) + at(2 * x + 1, 2 * y + 1))));
-}
-
 /// The largest standard deviation that a level of one texel gives, and how many impacts a sample of it meets.
 struct Reach {
     double deviation, impacts;
@@ -136,10 +127,7 @@ void make_texton_mips(Mip_chain& chain, const Texton& texton, double scale, doub
             const Reach next = reach_of(fine, rate, levels - 1, texton.taps);
             if (next.deviation / 2 < unseen || next.impacts * 4 > most_impacts) break;
         }
-        Planes& coarse = chain.own[levels];
-        coarse = Planes(memory, (fine.width + 1) / 2, (fine.height + 1) / 2, fine.count, Array<float>::unset);
-        const auto row = [&](std::uint32_t c, std::uint32_t y) { average_four(fine, coarse, c, y); };
-        for_each_row(coarse, parallel, std::ref(row));
+        chain.own[levels] = coarser(fine, texton.taps, levels == 1, memory, parallel);
     }
     publish(chain, chain.own[0], levels);
 }
