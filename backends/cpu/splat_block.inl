@@ -136,14 +136,18 @@ struct Linear_block {
 /// What a strip is rendered with, in its scratch: the impacts that reach the strip, those that reach a band of it, and
 /// of these, for each block of columns, those that reach the block, all in order; and the accumulators of a band.
 struct Band {
-    uint32_t blocks, stride, limit;
+    uint32_t blocks, stride;
     float* sums;     ///< rows * taps * stride; with two taps rows * lanes, carried from block to block
-    uint32_t* strip; ///< limit, as have the lists below
+    uint32_t* strip; ///< numbers of impacts, as in `band` and `lists`
     uint32_t* band;
-    uint32_t* lists;  ///< one for each block
-    uint32_t* counts; ///< of the lists
+    int32_t* begin;   ///< of the impacts in `band`: the pixel over their first column of texels,
+    int32_t* latest;  ///< the greatest of these up to here,
+    int32_t* first;   ///< and the least from here on
+    uint32_t* starts; ///< of the lists of the blocks, and the end of the last
+    uint32_t* lists;
 
-    const uint32_t* list(uint32_t block) const { return lists + size_t(block) * limit; }
+    const uint32_t* list(uint32_t block) const { return lists + starts[block]; }
+    uint32_t count(uint32_t block) const { return starts[block + 1] - starts[block]; }
 };
 
 uint32_t blocks_for(uint32_t width, uint32_t taps) { return (width + taps - 1 + lanes - 1) / lanes; }
@@ -157,7 +161,7 @@ size_t scratch(uint32_t impacts, uint32_t width, uint32_t taps)
 {
     const size_t blocks = blocks_for(width, taps);
     const size_t sums = sum_count(taps, uint32_t(blocks));
-    return (sums + (blocks + 2) * (size_t(impacts) + 1) + blocks) * sizeof(float);
+    return (sums + (blocks + 5) * (size_t(impacts) + 1) + blocks + 1) * sizeof(float);
 }
 
 Band band_in(const Strip& strip, uint32_t impacts, uint32_t taps)
@@ -165,12 +169,15 @@ Band band_in(const Strip& strip, uint32_t impacts, uint32_t taps)
     Band band;
     band.blocks = blocks_for(strip.width, taps);
     band.stride = (band.blocks + 1) * lanes;
-    band.limit = impacts + 1;
+    const size_t limit = size_t(impacts) + 1;
     band.sums = static_cast<float*>(strip.scratch);
     band.strip = reinterpret_cast<uint32_t*>(band.sums + sum_count(taps, band.blocks));
-    band.band = band.strip + band.limit;
-    band.counts = band.band + band.limit;
-    band.lists = band.counts + band.blocks;
+    band.band = band.strip + limit;
+    band.begin = reinterpret_cast<int32_t*>(band.band + limit);
+    band.latest = band.begin + limit;
+    band.first = band.latest + limit;
+    band.starts = reinterpret_cast<uint32_t*>(band.first + limit);
+    band.lists = band.starts + band.blocks + 1;
     return band;
 }
 
@@ -189,23 +196,43 @@ uint32_t select(const Impacts& found, const uint32_t* from, uint32_t count, cons
     return selected;
 }
 
-/// Sorts the impacts that reach a band by the blocks they reach.
-void fill_lists(Band& band, const Texels& texels, const Impacts& found, uint32_t count)
+/// Where the impacts of a band begin. They come by cell x, so that begin grows but for the size of a cell: all those
+/// before the first with latest >= x lie left of x, and all those from the first with first > x on lie right of it.
+void find_begins(const Band& band, const Impacts& found, uint32_t count)
 {
-    band.limit = count + 1; // close together
-    const size_t limit = band.limit;
-    uint32_t* const counts = band.counts;
-    uint32_t* const lists = band.lists;
-    for (uint32_t b = 0, blocks = band.blocks; b < blocks; ++b) counts[b] = 0;
-    const int32_t columns = int32_t(band.blocks * lanes);
+    int32_t latest = INT32_MIN, first = INT32_MAX;
     for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t n = band.band[i];
-        const int32_t column = found.impacts[n].column, last = texels.width - 1 - column;
-        const uint32_t begin = column < 0 ? uint32_t(-column) / lanes : 0;
-        const uint32_t end = uint32_t(last < columns ? last : columns - 1) / lanes;
-        uint32_t* list = lists + begin * limit;
-        for (uint32_t b = begin; b <= end; ++b, list += limit) list[counts[b]++] = n;
+        const int32_t begin = -found.impacts[band.band[i]].column;
+        latest = begin > latest ? begin : latest;
+        band.begin[i] = begin;
+        band.latest[i] = latest;
     }
+    for (uint32_t i = count; i-- > 0;) {
+        first = band.begin[i] < first ? band.begin[i] : first;
+        band.first[i] = first;
+    }
+}
+
+/// For each block, the impacts of the band that reach it.
+void fill_lists(const Band& band, const Texels& texels, const Impacts& found, uint32_t count)
+{
+    find_begins(band, found, count);
+    const uint32_t reach = uint32_t(texels.width) + lanes - 1, blocks = band.blocks;
+    const int32_t* const begins = band.begin;
+    const uint32_t* const numbers = band.band;
+    uint32_t* const lists = band.lists;
+    uint32_t from = 0, to = 0, filled = 0;
+    for (uint32_t b = 0; b < blocks; ++b) {
+        const int32_t right = int32_t(b * lanes + lanes - 1), left = right - int32_t(reach) + 1;
+        while (from < count && band.latest[from] < left) ++from;
+        while (to < count && band.first[to] <= right) ++to;
+        band.starts[b] = filled;
+        for (uint32_t i = from; i < to; ++i) {
+            lists[filled] = numbers[i];
+            filled += uint32_t(begins[i] - left) < reach ? 1u : 0u;
+        }
+    }
+    band.starts[blocks] = filled;
 }
 
 /// Rows y..y + height - 1 of a strip, one plane after another.
@@ -216,7 +243,7 @@ template <uint32_t taps> struct Rows_of {
         for (uint32_t p = 0; p < splat.planes; ++p) {
             const float* plane = texels.data + p * texels.plane + int64_t(strip.first + y) * texels.row;
             for (uint32_t b = 0; b < band.blocks; ++b)
-                Gather<taps>::block(plane + b * lanes, texels.row, found, band.list(b), band.counts[b],
+                Gather<taps>::block(plane + b * lanes, texels.row, found, band.list(b), band.count(b),
                                     band.sums + b * lanes, band.stride);
             for (uint32_t r = 0; r < height; ++r) {
                 const float* sums = band.sums + size_t(r) * taps * band.stride;
@@ -242,7 +269,7 @@ template <> struct Rows_of<2> {
             for (uint32_t i = 0; i < block.rows * lanes; ++i) block.carry[i] = 0.0f;
             for (uint32_t b = band.blocks; b-- > 0;) {
                 block.height = b * lanes < strip.width ? height : 0;
-                block.sum(plane + b * lanes, band.list(b), band.counts[b], out + b * lanes);
+                block.sum(plane + b * lanes, band.list(b), band.count(b), out + b * lanes);
             }
         }
     }
@@ -252,7 +279,7 @@ template <uint32_t taps>
 void splat_bands(const Splat& splat, const Texels& texels, const Impacts& found, const Strip& strip)
 {
     constexpr uint32_t rows = band_rows(taps);
-    Band band = band_in(strip, found.count, taps);
+    const Band band = band_in(strip, found.count, taps);
     const uint32_t near = select(found, nullptr, found.count, texels, taps, strip.first, strip.count, band.strip);
     for (uint32_t y = 0; y < strip.count; y += rows) {
         fill_lists(band, texels, found,
