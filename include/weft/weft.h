@@ -320,7 +320,7 @@ typedef struct weft_comparison {
   float    model_error;
   /* Sliced Wasserstein distance of the colours (Bonneel, Rabin, Peyre, Pfister 2015): sum of W1(<d, u>, <d, v>) over
    * 64 random directions d over the sum of the deviations of <d, u>; W1 = integral of |quantile_u - quantile_v|. At
-   * most 2^17 pixels of each, evenly spread. Good below 0.15; bad from 0.2. Gaussian models promise mean and
+   * most 2^17 pixels of each, evenly spread. Good below 0.15; bad from 0.19. Gaussian models promise mean and
    * variance only. */
   float    histogram_distance;
   /* sum_c sum_t w_t (C_v(t) - C_u(t))^2 / sum_c sum_t w_t C_u(t)^2, rooted: C unbiased autocovariance, |t| <= 32 (or
@@ -331,7 +331,7 @@ typedef struct weft_comparison {
    * to variance 1 (those below 1e-4 of the greatest left out), mean of W1 over 128 random directions; channels weigh
    * s_c, those below 1e-4 of the first variance nothing. 2^14 patches of each, so that 0.012 is as good as 0.
    * Levels: means of 1, 2 x 2, 4 x 4 pixels; patch_distance is the mean of those that are defined. Good below 0.1;
-   * bad from 0.14. A Gaussian texture of a structured photo is at 0.02 to 0.21: so small a patch sees little of it. */
+   * bad from 0.12. A Gaussian texture of a structured photo is at 0.02 to 0.21: so small a patch sees little of it. */
   float    patch_distance;
   float    patch_distance_level[3];
   /* Highest peak of v's circular autocovariance, sum_c C_v(t) / C_v(0), at lags beyond 48 pixels (or half u's
@@ -342,7 +342,7 @@ typedef struct weft_comparison {
   float    repetition;
   /* Share of random 9 x 9 windows of v (first channel, 500; fewer, from 64, for u beyond 0.5 megapixels) whose
    * nearest window in u, by exhaustive search, has as right neighbour the nearest window of their right neighbour:
-   * coherence as Ashikhmin 2001 has it. Chance gives 0.15 to 0.35, good below 0.5; copies and plain repeats from 0.9
+   * coherence as Ashikhmin 2001 has it. Chance gives 0.15 to 0.35, good below 0.5; copies and plain repeats from 0.88
    * to 1. */
   float    verbatim_copy;
   /* Of v alone, as a tile: with g_i the mean modulus of the first differences between lines i and i + 1, how many
