@@ -19,11 +19,13 @@ static double coefficient_correlation(const weft_image *texton, uint32_t a, uint
     double sum = 0;
     for (int y = dy < 0 ? -dy : 0; y < height && y + dy < height; ++y)
         for (int x = dx < 0 ? -dx : 0; x < width && x + dx < width; ++x)
-            sum += (double)value_at(texton, (uint32_t)x, (uint32_t)y, a) * (double)value_at(texton, (uint32_t)(x + dx), (uint32_t)(y + dy), b);
+            sum += (double)value_at(texton, (uint32_t)x, (uint32_t)y, a) *
+                   (double)value_at(texton, (uint32_t)(x + dx), (uint32_t)(y + dy), b);
     return sum;
 }
 
-double noise_covariance(const weft_image *texton, weft_interpolation interpolation, uint32_t a, uint32_t b, int dx, int dy)
+double noise_covariance(const weft_image *texton, weft_interpolation interpolation, uint32_t a, uint32_t b, int dx,
+                        int dy)
 {
     double sum = 0;
     for (int j = -5; j <= 5; ++j)

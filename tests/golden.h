@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const char *const golden_models[] = {"linear_rgb", "nearest_grey", "cubic_rgb", "quintic_grey", "linear_16", "picture_rgb", "picture_5"};
+static const char *const golden_models[] = {"linear_rgb", "nearest_grey", "cubic_rgb", "quintic_grey",
+                                            "linear_16",  "picture_rgb",  "picture_5"};
 #define GOLDEN_MODELS (sizeof golden_models / sizeof *golden_models)
 
 typedef struct Golden_view {
@@ -60,7 +61,10 @@ static inline uint64_t golden_checksum(weft_context *context, const weft_model *
     weft_image image = rendered(texture, view->x, view->y, view->level, view->width, view->height, info.channels);
     const uint64_t pixels = checksum(image.data, image_bytes(&image));
     for (int i = 0; i < 40; ++i) {
-        const weft_point point = {(double)view->x + 0.37 * i, (double)view->y - 0.81 * i, {0.25f * (float)i, 0.5f}, {-0.125f, 0.0625f * (float)i}};
+        const weft_point point = {(double)view->x + 0.37 * i,
+                                  (double)view->y - 0.81 * i,
+                                  {0.25f * (float)i, 0.5f},
+                                  {-0.125f, 0.0625f * (float)i}};
         points[i] = point;
     }
     assert_ok(weft_texture_sample(texture, 40, points, out));

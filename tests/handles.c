@@ -13,8 +13,8 @@ weft_context *new_context(const char *device, uint32_t threads)
     return context;
 }
 
-weft_model *new_texton(weft_context *context, uint32_t side, uint32_t channels, uint32_t support, weft_interpolation interpolation,
-                       uint64_t seed)
+weft_model *new_texton(weft_context *context, uint32_t side, uint32_t channels, uint32_t support,
+                       weft_interpolation interpolation, uint64_t seed)
 {
     weft_image photo = new_grain(GRAIN_SOFT, side, side, channels, seed);
     weft_texton_options options = WEFT_TEXTON_OPTIONS_INIT;

@@ -1,8 +1,8 @@
 // A public header by itself in C++: it needs nothing before it, and its _INIT values initialise.
 #include WEFT_HEADER
 
-weft_status first_lines(weft_context** context);
-weft_status first_lines(weft_context** context)
+weft_status first_lines(weft_context **context);
+weft_status first_lines(weft_context **context)
 {
     weft_context_options options = WEFT_CONTEXT_OPTIONS_INIT;
     weft_texton_options texton = WEFT_TEXTON_OPTIONS_INIT;

@@ -3,7 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static size_t bytes_per_value(weft_format format) { return format == WEFT_FORMAT_U8 ? 1 : format == WEFT_FORMAT_U16 ? 2 : 4; }
+static size_t bytes_per_value(weft_format format)
+{
+    return format == WEFT_FORMAT_U8 ? 1 : format == WEFT_FORMAT_U16 ? 2 : 4;
+}
 
 weft_image new_image(uint32_t width, uint32_t height, uint32_t channels, weft_format format)
 {
@@ -57,8 +60,8 @@ void assert_same_pixels_at(const weft_image *a, const weft_image *b, const char 
             first = i;
         }
     const size_t pixel = first / a->channels;
-    print_error("%s: %zu of %zu values differ, first at (%zu, %zu) channel %zu", what, different, count, pixel % a->width,
-                pixel / a->width, first % a->channels);
+    print_error("%s: %zu of %zu values differ, first at (%zu, %zu) channel %zu", what, different, count,
+                pixel % a->width, pixel / a->width, first % a->channels);
     if (a->format == WEFT_FORMAT_F32)
         print_error(": %.9g and %.9g", (double)values(a)[first], (double)values(b)[first]);
     print_error("\n");
@@ -114,7 +117,8 @@ weft_image new_grain(Grain grain, uint32_t width, uint32_t height, uint32_t chan
 {
     const uint32_t area = width * height;
     weft_image image = new_image(width, height, channels, WEFT_FORMAT_F32);
-    float *memory = malloc(sizeof *memory * area * 4), *first = memory, *plane = memory + area, *scratch = memory + 2 * (size_t)area;
+    float *memory = malloc(sizeof *memory * area * 4), *first = memory, *plane = memory + area,
+          *scratch = memory + 2 * (size_t)area;
     assert_non_null(memory);
     Random random = {seed};
     for (uint32_t c = 0; c < channels; ++c) {
@@ -123,7 +127,8 @@ weft_image new_grain(Grain grain, uint32_t width, uint32_t height, uint32_t chan
         standardise(plane, area);
         if (c == 0) memcpy(first, plane, sizeof *plane * area);
         for (uint32_t i = 0; i < area; ++i)
-            values(&image)[(size_t)i * channels + c] = 0.5f + 0.1f * (c == 0 ? first[i] : 0.8f * first[i] + 0.6f * plane[i]);
+            values(&image)[(size_t)i * channels + c] =
+                0.5f + 0.1f * (c == 0 ? first[i] : 0.8f * first[i] + 0.6f * plane[i]);
     }
     free(memory);
     return image;

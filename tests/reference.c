@@ -36,7 +36,8 @@ static void transform(Complex *values, uint32_t width, uint32_t height, double s
     transform_axis(values, height, width, width, 1, sign);
 }
 
-/* Periodic component (Moisan 2011): the spectrum minus that of the smooth component, whose Laplacian is the border's jumps. */
+/* Periodic component (Moisan 2011): the spectrum minus that of the smooth component, whose Laplacian is the border's
+ * jumps. */
 static void periodic_component(const weft_image *photo, uint32_t c, Complex *spectrum)
 {
     const uint32_t width = photo->width, height = photo->height;
@@ -71,7 +72,8 @@ static void periodic_component(const weft_image *photo, uint32_t c, Complex *spe
 static double spline_spectrum(weft_interpolation interpolation, uint32_t frequency, uint32_t length)
 {
     double sum = 0;
-    for (int k = -5; k <= 5; ++k) sum += spline_autocorrelation(interpolation, k) * cos(2 * pi * frequency * k / length);
+    for (int k = -5; k <= 5; ++k)
+        sum += spline_autocorrelation(interpolation, k) * cos(2 * pi * frequency * k / length);
     return sum;
 }
 
@@ -84,7 +86,8 @@ void reference_open(Reference *reference, const weft_image *photo, weft_interpol
     reference->channels = photo->channels;
     reference->spline = malloc(sizeof *reference->spline * area);
     for (uint32_t i = 0; i < area; ++i)
-        reference->spline[i] = spline_spectrum(interpolation, i % width, width) * spline_spectrum(interpolation, i / width, height);
+        reference->spline[i] =
+            spline_spectrum(interpolation, i % width, width) * spline_spectrum(interpolation, i / width, height);
     for (uint32_t c = 0; c < photo->channels; ++c) {
         Complex *spectrum = reference->spectrum[c] = malloc(sizeof *spectrum * area);
         periodic_component(photo, c, spectrum);
@@ -99,7 +102,8 @@ void reference_open(Reference *reference, const weft_image *photo, weft_interpol
         for (uint32_t b = 0; b < photo->channels; ++b) {
             double sum = 0;
             for (uint32_t i = 0; i < area; ++i)
-                sum += reference->spectrum[a][i].re * reference->spectrum[b][i].re + reference->spectrum[a][i].im * reference->spectrum[b][i].im;
+                sum += reference->spectrum[a][i].re * reference->spectrum[b][i].re +
+                       reference->spectrum[a][i].im * reference->spectrum[b][i].im;
             reference->covariance[a][b] = sum / area;
         }
 }
@@ -116,7 +120,8 @@ static void spectrum_of(const Reference *reference, const weft_image *coefficien
     const Complex zero = {0, 0};
     for (uint32_t i = 0; i < reference->width * reference->height; ++i) out[i] = zero;
     for (uint32_t y = 0; y < coefficients->height; ++y)
-        for (uint32_t x = 0; x < coefficients->width; ++x) out[y * reference->width + x].re = (double)value_at(coefficients, x, y, c);
+        for (uint32_t x = 0; x < coefficients->width; ++x)
+            out[y * reference->width + x].re = (double)value_at(coefficients, x, y, c);
     transform(out, reference->width, reference->height, -1);
 }
 
@@ -150,7 +155,8 @@ double reference_error(const Reference *reference, const weft_image *coefficient
             ours += a.re * a.re + a.im * a.im;
         }
         power += theirs;
-        distance += theirs + reference->spline[i] * ours - 2 * sqrt(reference->spline[i]) * sqrt(agreement.re * agreement.re + agreement.im * agreement.im);
+        distance += theirs + reference->spline[i] * ours -
+                    2 * sqrt(reference->spline[i]) * sqrt(agreement.re * agreement.re + agreement.im * agreement.im);
     }
     for (uint32_t c = 0; c < reference->channels; ++c) free(alpha[c]);
     return sqrt((distance > 0 ? distance : 0) / power);
@@ -186,9 +192,11 @@ weft_image reference_projections(const Reference *reference, uint32_t support, u
         for (uint32_t c = 0; c < channels; ++c) transform(alpha[c], width, reference->height, -1);
         for (uint32_t i = 0; i < area; ++i) {
             const Complex s = agreement_at(reference, alpha, i);
-            const double modulus = sqrt(s.re * s.re + s.im * s.im), scale = modulus > 0 ? 1 / (modulus * sqrt(reference->spline[i])) : 0;
+            const double modulus = sqrt(s.re * s.re + s.im * s.im),
+                         scale = modulus > 0 ? 1 / (modulus * sqrt(reference->spline[i])) : 0;
             for (uint32_t c = 0; c < channels; ++c) {
-                const Complex t = reference->spectrum[c][i], projected = {(t.re * s.re - t.im * s.im) * scale, (t.re * s.im + t.im * s.re) * scale};
+                const Complex t = reference->spectrum[c][i],
+                              projected = {(t.re * s.re - t.im * s.im) * scale, (t.re * s.im + t.im * s.re) * scale};
                 alpha[c][i] = projected;
             }
         }

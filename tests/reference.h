@@ -25,8 +25,8 @@ void reference_close(Reference *reference);
 /* Relative model error of coefficients (a model's part) against the exemplar. */
 double reference_error(const Reference *reference, const weft_image *coefficients);
 
-/* Coefficients by `iterations` of the plain projections from the reference's own white noise, with colour correction for one
- * channel (a scaling); for more channels, without. */
+/* Coefficients by `iterations` of the plain projections from the reference's own white noise, with colour correction
+ * for one channel (a scaling); for more channels, without. */
 weft_image reference_projections(const Reference *reference, uint32_t support, uint32_t iterations, uint64_t seed);
 
 #endif

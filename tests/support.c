@@ -16,8 +16,8 @@ void check_refused(weft_status status, const char *call, weft_status expected, c
 {
     const char *sentence = weft_error_message();
     if (status == expected && strncmp(sentence, function, strlen(function)) == 0 && strstr(sentence, word)) return;
-    print_error("%s\n  is %s, should be %s; sentence should begin with '%s' and have '%s': '%s'\n", call, weft_status_name(status),
-                weft_status_name(expected), function, word, sentence);
+    print_error("%s\n  is %s, should be %s; sentence should begin with '%s' and have '%s': '%s'\n", call,
+                weft_status_name(status), weft_status_name(expected), function, word, sentence);
     _fail(file, line);
 }
 
@@ -39,7 +39,10 @@ uint64_t random_bits(Random *random)
     return z ^ (z >> 31);
 }
 
-uint32_t random_below(Random *random, uint32_t bound) { return (uint32_t)(((random_bits(random) >> 32) * bound) >> 32); }
+uint32_t random_below(Random *random, uint32_t bound)
+{
+    return (uint32_t)(((random_bits(random) >> 32) * bound) >> 32);
+}
 
 double random_unit(Random *random) { return (double)(random_bits(random) >> 11) * 0x1p-53; }
 

@@ -2,18 +2,20 @@
 #ifndef WEFT_TESTS_SUPPORT_H
 #define WEFT_TESTS_SUPPORT_H
 
+#include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
-#include <setjmp.h>
 #include <stdint.h>
-#include <cmocka.h>
+
+#include <cmocka.h> /* needs those above before it */
 #include <weft/weft.h>
 
 /* Asserts that a call succeeds; prints its sentence when it does not. */
 #define assert_ok(call) check_ok((call), #call, __FILE__, __LINE__)
 
 /* Asserts that a call is refused with `status` and that the sentence begins with the function's name and has `word`. */
-#define assert_refused(call, status, function, word) check_refused((call), #call, (status), (function), (word), __FILE__, __LINE__)
+#define assert_refused(call, status, function, word)                                                                   \
+    check_refused((call), #call, (status), (function), (word), __FILE__, __LINE__)
 
 void check_ok(weft_status status, const char *call, const char *file, int line);
 void check_refused(weft_status status, const char *call, weft_status expected, const char *function, const char *word,
@@ -49,16 +51,18 @@ weft_image new_grain(Grain grain, uint32_t width, uint32_t height, uint32_t chan
 
 /* Handles; every failure ends the test. */
 weft_context *new_context(const char *device, uint32_t threads);
-weft_model *new_texton(weft_context *context, uint32_t side, uint32_t channels, uint32_t support, weft_interpolation interpolation,
-                       uint64_t seed);
+weft_model *new_texton(weft_context *context, uint32_t side, uint32_t channels, uint32_t support,
+                       weft_interpolation interpolation, uint64_t seed);
 weft_model *new_picture(weft_context *context, uint32_t width, uint32_t height, uint32_t channels, uint64_t seed);
-weft_texture *new_texture(weft_context *context, const weft_model *model, float impacts, uint64_t seed, uint32_t period);
+weft_texture *new_texture(weft_context *context, const weft_model *model, float impacts, uint64_t seed,
+                          uint32_t period);
 weft_image rendered(const weft_texture *texture, int64_t x, int64_t y, uint32_t level, uint32_t width, uint32_t height,
                     uint32_t channels);
 void *saved(const weft_model *model, size_t *size);
 weft_image part_of(const weft_model *model, uint32_t index);
 
-/* Names of the devices that can be used here; `exact_only` leaves out those that are not exact. Returns their number. */
+/* Names of the devices that can be used here; `exact_only` leaves out those that are not exact. Returns their number.
+ */
 #define MOST_DEVICES 32
 uint32_t usable_devices(char names[MOST_DEVICES][64], int exact_only);
 

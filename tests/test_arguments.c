@@ -1,4 +1,5 @@
-/* Devices, contexts, models and textures with every wrong argument: the status, a sentence that names function and argument, untouched outputs. */
+/* Devices, contexts, models and textures with every wrong argument: the status, a sentence that names function and
+ * argument, untouched outputs. */
 #include "refusals.h"
 #include <float.h>
 #include <math.h>
@@ -69,7 +70,8 @@ static void contexts(void **state)
         options.size = sizes[i];
         REFUSED_HANDLE(weft_context_create(&options, &out), out, WEFT_ERROR_ARGUMENT, function, "size");
     }
-    const char *devices_of_nobody[] = {"", "nobody", "scalar:1", "simd:nothing", "opencl:4000000000", "opencl:-1", ":", "scalar "};
+    const char *devices_of_nobody[] = {"",          "nobody", "scalar:1", "simd:nothing", "opencl:4000000000",
+                                       "opencl:-1", ":",      "scalar "};
     for (size_t i = 0; i < sizeof devices_of_nobody / sizeof *devices_of_nobody; ++i) {
         const weft_context_options fresh = WEFT_CONTEXT_OPTIONS_INIT;
         options = fresh;
@@ -120,12 +122,14 @@ static void models(void **state)
     REFUSED_HANDLE(weft_model_load_texton(NULL, text, 7, &model), model, argument, "weft_model_load_texton", "context");
     REFUSED_HANDLE(weft_model_load_texton(context, NULL, 7, &model), model, argument, "weft_model_load_texton", "text");
     REFUSED(weft_model_load_texton(context, text, 7, NULL), "weft_model_load_texton", "model");
-    REFUSED_HANDLE(weft_model_load_texton(context, text, 0, &model), model, WEFT_ERROR_FORMAT, "weft_model_load_texton", "");
+    REFUSED_HANDLE(weft_model_load_texton(context, text, 0, &model), model, WEFT_ERROR_FORMAT, "weft_model_load_texton",
+                   "");
     REFUSED(weft_model_save_texton(NULL, (char *)bytes, size, &length), "weft_model_save_texton", "model");
     REFUSED(weft_model_save_texton(texton, NULL, 10, &length), "weft_model_save_texton", "text");
     REFUSED(weft_model_save_texton(texton, (char *)bytes, 3, &length), "weft_model_save_texton", "size");
     REFUSED(weft_model_save_texton(texton, NULL, 0, NULL), "weft_model_save_texton", "length");
-    assert_refused(weft_model_save_texton(picture, NULL, 0, &length), WEFT_ERROR_UNSUPPORTED, "weft_model_save_texton", "");
+    assert_refused(weft_model_save_texton(picture, NULL, 0, &length), WEFT_ERROR_UNSUPPORTED, "weft_model_save_texton",
+                   "");
     assert_int_equal(length, 12345);
     for (size_t i = 0; i < size; ++i) assert_int_equal(bytes[i], 0xa5);
     free(bytes);
@@ -227,7 +231,8 @@ static void rendering(void **state)
     REFUSED(weft_texture_render(noise, 0, 0, 0, NULL, NULL, NULL), function, "image");
     REFUSED(weft_texture_render(noise, 0, 0, 31, NULL, NULL, &image), function, "level");
     REFUSED(weft_texture_render(noise, 0, 0, UINT32_MAX, NULL, NULL, &image), function, "level");
-    const int64_t edge = INT64_C(1) << 60, far_off[] = {edge, edge - 1, -edge - 1, INT64_MAX, INT64_MIN, INT64_MAX - 16};
+    const int64_t edge = INT64_C(1) << 60,
+                  far_off[] = {edge, edge - 1, -edge - 1, INT64_MAX, INT64_MIN, INT64_MAX - 16};
     for (size_t i = 0; i < sizeof far_off / sizeof *far_off; ++i) {
         REFUSED(weft_texture_render(noise, far_off[i], 0, 0, NULL, NULL, &image), function, "x");
         REFUSED(weft_texture_render(noise, 0, far_off[i], 0, NULL, NULL, &image), function, "y");
@@ -277,8 +282,9 @@ static void sampling(void **state)
 static void names_and_version(void **state)
 {
     (void)state;
-    static const char *const names[] = {"WEFT_OK",           "WEFT_ERROR_ARGUMENT",    "WEFT_ERROR_MEMORY", "WEFT_ERROR_CANCELLED",
-                                        "WEFT_ERROR_FORMAT", "WEFT_ERROR_UNSUPPORTED", "WEFT_ERROR_DEVICE", "WEFT_ERROR_INTERNAL"};
+    static const char *const names[] = {
+        "WEFT_OK",           "WEFT_ERROR_ARGUMENT",    "WEFT_ERROR_MEMORY", "WEFT_ERROR_CANCELLED",
+        "WEFT_ERROR_FORMAT", "WEFT_ERROR_UNSUPPORTED", "WEFT_ERROR_DEVICE", "WEFT_ERROR_INTERNAL"};
     for (int i = 0; i < 8; ++i) assert_string_equal(weft_status_name(-i), names[i]);
     const weft_status unknown[] = {1, -8, INT32_MAX, INT32_MIN};
     for (size_t i = 0; i < sizeof unknown / sizeof *unknown; ++i) {
@@ -292,9 +298,14 @@ static void names_and_version(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(names_and_version), cmocka_unit_test(devices),   cmocka_unit_test(contexts),
-        cmocka_unit_test(models),            cmocka_unit_test(model_info_and_parts),
-        cmocka_unit_test(textures),          cmocka_unit_test(rendering), cmocka_unit_test(sampling),
+        cmocka_unit_test(names_and_version),
+        cmocka_unit_test(devices),
+        cmocka_unit_test(contexts),
+        cmocka_unit_test(models),
+        cmocka_unit_test(model_info_and_parts),
+        cmocka_unit_test(textures),
+        cmocka_unit_test(rendering),
+        cmocka_unit_test(sampling),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

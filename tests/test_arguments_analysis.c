@@ -1,4 +1,5 @@
-/* Analysis, measures and comparison with every wrong argument: the status, a sentence with function and argument, untouched outputs. */
+/* Analysis, measures and comparison with every wrong argument: the status, a sentence with function and argument,
+ * untouched outputs. */
 #include "refusals.h"
 #include <math.h>
 #include <string.h>
@@ -37,8 +38,10 @@ static void input_images(void **state)
     for (uint32_t i = 0; i < count; ++i) {
         const weft_image *image = &bad[i].image;
         const char *word = bad[i].word;
-        REFUSED_HANDLE(weft_analyze_texton(context, image, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT, "weft_analyze_texton", word);
-        REFUSED_HANDLE(weft_analyze_picture(context, image, &model), model, WEFT_ERROR_ARGUMENT, "weft_analyze_picture", word);
+        REFUSED_HANDLE(weft_analyze_texton(context, image, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT,
+                       "weft_analyze_texton", word);
+        REFUSED_HANDLE(weft_analyze_picture(context, image, &model), model, WEFT_ERROR_ARGUMENT, "weft_analyze_picture",
+                       word);
         REFUSED(weft_power_spectrum(context, image, &out), "weft_power_spectrum", word);
         REFUSED(weft_autocovariance(context, image, &out), "weft_autocovariance", word);
         REFUSED(weft_histogram(context, image, 0, 1, 4, counts), "weft_histogram", word);
@@ -65,8 +68,10 @@ static void pixels_that_are_not_finite(void **state)
         weft_image image = new_grain(GRAIN_SOFT, 32, 24, 3, 3);
         const size_t places[] = {0, 32 * 24 * 3 / 2, 32 * 24 * 3 - 1};
         values(&image)[places[i / 3]] = not_finite[i % 3];
-        REFUSED_HANDLE(weft_analyze_texton(context, &image, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT, "weft_analyze_texton", "photo");
-        REFUSED_HANDLE(weft_analyze_picture(context, &image, &model), model, WEFT_ERROR_ARGUMENT, "weft_analyze_picture", "picture");
+        REFUSED_HANDLE(weft_analyze_texton(context, &image, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT,
+                       "weft_analyze_texton", "photo");
+        REFUSED_HANDLE(weft_analyze_picture(context, &image, &model), model, WEFT_ERROR_ARGUMENT,
+                       "weft_analyze_picture", "picture");
         REFUSED(weft_power_spectrum(context, &image, &out), "weft_power_spectrum", "image");
         REFUSED(weft_autocovariance(context, &image, &out), "weft_autocovariance", "image");
         REFUSED(weft_histogram(context, &image, 0, 1, 4, counts), "weft_histogram", "image");
@@ -109,15 +114,18 @@ static void analysis(void **state)
         case 9: options.projection = -1, word = "projection"; break;
         default: options.projection = 3, word = "projection"; break;
         }
-        REFUSED_HANDLE(weft_analyze_texton(context, &photo, &options, NULL, NULL, &model), model, argument, function, word);
+        REFUSED_HANDLE(weft_analyze_texton(context, &photo, &options, NULL, NULL, &model), model, argument, function,
+                       word);
     }
 
     weft_texton_options later = fresh; /* a field without meaning so far: a later libweft's */
     later.zero = 1;
-    REFUSED_HANDLE(weft_analyze_texton(context, &photo, &later, NULL, NULL, &model), model, WEFT_ERROR_UNSUPPORTED, function, "zero");
+    REFUSED_HANDLE(weft_analyze_texton(context, &photo, &later, NULL, NULL, &model), model, WEFT_ERROR_UNSUPPORTED,
+                   function, "zero");
 
     weft_image narrow = new_grain(GRAIN_SOFT, 7, 16, 1, 4), flat = new_grain(GRAIN_SOFT, 16, 7, 1, 4);
-    REFUSED_HANDLE(weft_analyze_texton(context, &narrow, NULL, NULL, NULL, &model), model, argument, function, "7 x 16");
+    REFUSED_HANDLE(weft_analyze_texton(context, &narrow, NULL, NULL, NULL, &model), model, argument, function,
+                   "7 x 16");
     REFUSED_HANDLE(weft_analyze_texton(context, &flat, NULL, NULL, NULL, &model), model, argument, function, "16 x 7");
     free_image(&narrow);
     free_image(&flat);
@@ -136,7 +144,8 @@ static void measures(void **state)
     (void)state;
     typedef weft_status (*Measure)(weft_context *, const weft_image *, const weft_image *);
     const Measure measure[] = {weft_power_spectrum, weft_autocovariance};
-    const char *const function[] = {"weft_power_spectrum", "weft_autocovariance"}, *const result[] = {"spectrum", "autocovariance"};
+    const char *const function[] = {"weft_power_spectrum", "weft_autocovariance"}, *const result[] = {"spectrum",
+                                                                                                      "autocovariance"};
     weft_image out = new_image(32, 24, 3, WEFT_FORMAT_F32);
     fill_bytes(&out, 0xa5);
     for (int m = 0; m < 2; ++m) {
@@ -185,7 +194,8 @@ static void comparing(void **state)
     REFUSED(weft_compare(context, NULL, &photo, NULL, NULL, NULL, &comparison), function, "exemplar");
     REFUSED(weft_compare(context, &photo, NULL, NULL, NULL, NULL, &comparison), function, "output");
     REFUSED(weft_compare(context, &photo, &photo, NULL, NULL, NULL, NULL), function, "comparison");
-    weft_image grey = new_grain(GRAIN_SOFT, 32, 32, 1, 9), small = new_grain(GRAIN_SOFT, 15, 16, 3, 9), low = new_grain(GRAIN_SOFT, 16, 15, 3, 9);
+    weft_image grey = new_grain(GRAIN_SOFT, 32, 32, 1, 9), small = new_grain(GRAIN_SOFT, 15, 16, 3, 9),
+               low = new_grain(GRAIN_SOFT, 16, 15, 3, 9);
     REFUSED(weft_compare(context, &photo, &grey, NULL, NULL, NULL, &comparison), function, "channels");
     REFUSED(weft_compare(context, &photo, &small, NULL, NULL, NULL, &comparison), function, "output");
     REFUSED(weft_compare(context, &small, &photo, NULL, NULL, NULL, &comparison), function, "exemplar");
@@ -199,7 +209,8 @@ static void comparing(void **state)
     REFUSED(weft_compare(context, &photo, &photo, &options, NULL, NULL, &comparison), function, "size");
     options.size = sizeof options;
     options.zero = 7;
-    assert_refused(weft_compare(context, &photo, &photo, &options, NULL, NULL, &comparison), WEFT_ERROR_UNSUPPORTED, function, "zero");
+    assert_refused(weft_compare(context, &photo, &photo, &options, NULL, NULL, &comparison), WEFT_ERROR_UNSUPPORTED,
+                   function, "zero");
     assert_memory_equal(&comparison, &before, sizeof before);
     comparison.size = 0;
     REFUSED(weft_compare(context, &photo, &photo, NULL, NULL, NULL, &comparison), function, "size");
@@ -208,7 +219,7 @@ static void comparing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(input_images), cmocka_unit_test(analysis), cmocka_unit_test(pixels_that_are_not_finite),
+        cmocka_unit_test(input_images), cmocka_unit_test(analysis),  cmocka_unit_test(pixels_that_are_not_finite),
         cmocka_unit_test(measures),     cmocka_unit_test(comparing),
     };
     return cmocka_run_group_tests(tests, begin, end);

@@ -1,4 +1,5 @@
-/* Every exact device gives the bits of "scalar": for any model, window, level, place, period, batch and number of threads. */
+/* Every exact device gives the bits of "scalar": for any model, window, level, place, period, batch and number of
+ * threads. */
 #include "support.h"
 #include <stdlib.h>
 #include <string.h>
@@ -27,17 +28,20 @@ static int end(void **state)
     return 0;
 }
 
-static const weft_interpolation interpolations[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST, WEFT_INTERPOLATION_CUBIC,
-                                                    WEFT_INTERPOLATION_QUINTIC};
+static const weft_interpolation interpolations[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST,
+                                                    WEFT_INTERPOLATION_CUBIC, WEFT_INTERPOLATION_QUINTIC};
 
 /* A random model: linear RGB most often, as in life; every order and number of channels; now and then a picture. */
 static weft_model *random_model(Random *random, uint32_t *channels)
 {
     *channels = random_below(random, 2) ? 3 : 1 + random_below(random, 16);
     const uint32_t kind = random_below(random, 8);
-    if (kind == 0) return new_picture(contexts[0], 1 + random_below(random, 70), 1 + random_below(random, 70), *channels, random_bits(random));
+    if (kind == 0)
+        return new_picture(contexts[0], 1 + random_below(random, 70), 1 + random_below(random, 70), *channels,
+                           random_bits(random));
     const uint32_t side = 8 + random_below(random, 57), support = 1 + random_below(random, side);
-    return new_texton(contexts[0], side, *channels, support, interpolations[kind < 5 ? 0 : kind - 4], random_bits(random));
+    return new_texton(contexts[0], side, *channels, support, interpolations[kind < 5 ? 0 : kind - 4],
+                      random_bits(random));
 }
 
 static float random_impacts(Random *random)
@@ -80,7 +84,8 @@ static Case open_case(Random *random)
     c.options.impacts = random_impacts(random);
     c.options.seed = random_below(random, 4) ? random_bits(random) : random_below(random, 3);
     random_period(random, c.model, &c.options);
-    for (uint32_t d = 0; d < device_count; ++d) assert_ok(weft_texture_create(contexts[d], c.model, &c.options, &c.textures[d]));
+    for (uint32_t d = 0; d < device_count; ++d)
+        assert_ok(weft_texture_create(contexts[d], c.model, &c.options, &c.textures[d]));
     return c;
 }
 
@@ -94,17 +99,21 @@ static void windows_of(const Case *c, Random *random, uint32_t number)
 {
     const uint32_t sizes[][2] = {{1, 1}, {64, 64}, {37, 53}, {97, 21}, {1, 40}, {130, 1}, {16, 9}};
     const uint32_t pick = random_below(random, 7), costly = c->options.impacts > 90 || c->channels > 6;
-    const uint32_t width = costly ? (sizes[pick][0] + 3) / 4 : sizes[pick][0], height = costly ? (sizes[pick][1] + 3) / 4 : sizes[pick][1];
-    const uint32_t level = random_below(random, 3) ? 0 : random_below(random, 10) ? random_below(random, 8) : random_below(random, 31);
+    const uint32_t width = costly ? (sizes[pick][0] + 3) / 4 : sizes[pick][0],
+                   height = costly ? (sizes[pick][1] + 3) / 4 : sizes[pick][1];
+    const uint32_t level = random_below(random, 3)    ? 0
+                           : random_below(random, 10) ? random_below(random, 8)
+                                                      : random_below(random, 31);
     int64_t x = random_place(random), y = random_place(random);
     if (level > 18) x >>= 20, y >>= 20;
     weft_image expected = rendered(c->textures[0], x, y, level, width, height, c->channels);
     for (uint32_t d = 1; d < device_count; ++d) {
         weft_image image = rendered(c->textures[d], x, y, level, width, height, c->channels);
         if (!same_pixels(&image, &expected))
-            print_error("case %u: %u channels, impacts %g, period %u %u, seed %llu, window %ux%u at %lld %lld level %u\n", number,
-                        c->channels, (double)c->options.impacts, c->options.period_x, c->options.period_y,
-                        (unsigned long long)c->options.seed, width, height, (long long)x, (long long)y, level);
+            print_error(
+                "case %u: %u channels, impacts %g, period %u %u, seed %llu, window %ux%u at %lld %lld level %u\n",
+                number, c->channels, (double)c->options.impacts, c->options.period_x, c->options.period_y,
+                (unsigned long long)c->options.seed, width, height, (long long)x, (long long)y, level);
         assert_same_pixels(&image, &expected, devices[d]);
         free_image(&image);
     }
@@ -117,7 +126,8 @@ static void points_of(const Case *c, Random *random, uint32_t number)
     weft_point points[COUNT];
     for (int i = 0; i < COUNT; ++i) {
         const double far = random_below(random, 3) ? 0 : 0x1p40;
-        const float size = random_below(random, 2) ? 0 : (float)(random_unit(random) * (random_below(random, 4) ? 4 : 300));
+        const float size =
+            random_below(random, 2) ? 0 : (float)(random_unit(random) * (random_below(random, 4) ? 4 : 300));
         const weft_point point = {far + 200 * random_unit(random) - 100,
                                   -far + 200 * random_unit(random) - 100,
                                   {size * (float)random_unit(random), size * (float)(random_unit(random) - 0.5)},
@@ -130,9 +140,11 @@ static void points_of(const Case *c, Random *random, uint32_t number)
     for (uint32_t d = 0; d < device_count; ++d) {
         memset(out, 0xff, sizeof out);
         assert_ok(weft_texture_sample(c->textures[d], count, points, out));
-        if (memcmp(out, expected, count * c->channels * sizeof *out) != 0) print_error("case %u: points on %s\n", number, devices[d]);
+        if (memcmp(out, expected, count * c->channels * sizeof *out) != 0)
+            print_error("case %u: points on %s\n", number, devices[d]);
         assert_memory_equal(out, expected, count * c->channels * sizeof *out);
-        for (size_t from = 0, step = 1; from < count; from += step, step = 1 + random_below(random, 40)) { /* other batches */
+        for (size_t from = 0, step = 1; from < count;
+             from += step, step = 1 + random_below(random, 40)) { /* other batches */
             const size_t n = step < count - from ? step : count - from;
             assert_ok(weft_texture_sample(c->textures[d], n, points + from, out + from * c->channels));
         }
@@ -163,7 +175,8 @@ static void every_order_and_number_of_channels(void **state)
             weft_model *model = new_texton(contexts[0], 16, channels, 11, interpolations[order], channels);
             Case c = {model, channels, {NULL}, WEFT_TEXTURE_OPTIONS_INIT};
             c.options.impacts = 12;
-            for (uint32_t d = 0; d < device_count; ++d) assert_ok(weft_texture_create(contexts[d], model, &c.options, &c.textures[d]));
+            for (uint32_t d = 0; d < device_count; ++d)
+                assert_ok(weft_texture_create(contexts[d], model, &c.options, &c.textures[d]));
             Random random = {channels * 10 + (uint32_t)order};
             windows_of(&c, &random, channels);
             points_of(&c, &random, channels);
@@ -212,7 +225,8 @@ static void windows_agree_where_they_overlap(void **state)
                 weft_image piece = rendered(c.textures[d], x + left, y + top, level, w, h, channels);
                 for (uint32_t row = 0; row < h; ++row)
                     assert_memory_equal(values(&piece) + (size_t)row * w * channels,
-                                        values(&whole) + ((size_t)(top + row) * width + left) * channels, (size_t)w * channels * sizeof(float));
+                                        values(&whole) + ((size_t)(top + row) * width + left) * channels,
+                                        (size_t)w * channels * sizeof(float));
                 free_image(&piece);
             }
             free_image(&whole);
@@ -242,7 +256,8 @@ static void periods_wrap(void **state)
                     weft_image here = rendered(texture, -3, 11, level, 70, 40, 2);
                     const int64_t times[] = {1, -1, 7, -(INT64_C(1) << 30)};
                     for (int k = 0; k < 4; ++k) {
-                        weft_image there = rendered(texture, -3 + times[k] * px, 11 + times[3 - k] * py, level, 70, 40, 2);
+                        weft_image there =
+                            rendered(texture, -3 + times[k] * px, 11 + times[3 - k] * py, level, 70, 40, 2);
                         assert_same_pixels(&here, &there, "a period further");
                         free_image(&there);
                     }
@@ -297,7 +312,8 @@ static void seeds_matter(void **state)
 static void formats_and_strides(void **state)
 {
     (void)state;
-    static const char strong[] = "TEXTON\n1\n1\n0.5 0.6 0.7\n2 2\n0.5 -0.2 0.1\n-0.3 0.2 0.4\n0.2 0.3 -0.4\n0.1 0.3 0.1\nvalues beyond 0..1\n";
+    static const char strong[] =
+        "TEXTON\n1\n1\n0.5 0.6 0.7\n2 2\n0.5 -0.2 0.1\n-0.3 0.2 0.4\n0.2 0.3 -0.4\n0.1 0.3 0.1\nvalues beyond 0..1\n";
     weft_model *model = NULL;
     assert_ok(weft_model_load_texton(contexts[0], strong, sizeof strong - 1, &model));
     weft_texture *texture = new_texture(contexts[0], model, 30, 3, 0);
@@ -315,13 +331,17 @@ static void formats_and_strides(void **state)
             for (size_t k = 0; k < gap; ++k) assert_int_equal(line[row + k], 0xa5);
             for (uint32_t i = 0; i < 90 * 3; ++i) {
                 const float value = values(&floats)[y * 270 + i], most = f == 0 ? 255.0f : 65535.0f;
-                const double wanted = (double)value <= 0 ? 0 : (double)value >= 1 ? (double)most : (double)value * (double)most;
+                const double wanted = (double)value <= 0   ? 0
+                                      : (double)value >= 1 ? (double)most
+                                                           : (double)value * (double)most;
                 uint16_t word;
                 memcpy(&word, line + 2 * i, f == 1 ? sizeof word : 0);
                 const double got = f == 0 ? line[i] : f == 1 ? word : 0;
                 const double rounding = (double)most * 0x1p-24; /* of the product in binary32 */
-                if (f < 2) assert_true(got - wanted <= 0.5 + rounding && wanted - got <= 0.5 + rounding);
-                else assert_memory_equal(line + 4 * i, &value, 4);
+                if (f < 2)
+                    assert_true(got - wanted <= 0.5 + rounding && wanted - got <= 0.5 + rounding);
+                else
+                    assert_memory_equal(line + 4 * i, &value, 4);
                 clamped += (double)value < 0 || (double)value > 1;
             }
         }

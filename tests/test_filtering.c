@@ -1,9 +1,10 @@
-/* Filtering against the ideal, as in Figure 3 of the paper: a filtered sample against the mean of 20 x 20 samples of its pixel.
+/* Filtering against the ideal, as in Figure 3 of the paper: a filtered sample against the mean of 20 x 20 samples of
+ * its pixel.
  *
- * The filter is a mip chain of the texton with probes along the major axis, no exact integral, so there is an error. The
- * bounds are of two kinds: against the ideal's own deviation, and, where a bare sample is further off than the mean colour
- * would be, against that sample. White noise is the worst case there is: no two neighbours of the texton are alike. What
- * remains is blur: texels of a level are averages, and are interpolated linearly on top of that. */
+ * The filter is a mip chain of the texton with probes along the major axis, no exact integral, so there is an error.
+ * The bounds are of two kinds: against the ideal's own deviation, and, where a bare sample is further off than the mean
+ * colour would be, against that sample. White noise is the worst case there is: no two neighbours of the texton are
+ * alike. What remains is blur: texels of a level are averages, and are interpolated linearly on top of that. */
 #include "support.h"
 #include <math.h>
 #include <stdlib.h>
@@ -42,23 +43,27 @@ static int end(void **state)
     return 0;
 }
 
-/* Root mean squares over many pixels: of the ideal around its mean, of filtered - ideal, of unfiltered - ideal, of filtered. */
+/* Root mean squares over many pixels: of the ideal around its mean, of filtered - ideal, of unfiltered - ideal, of
+ * filtered. */
 typedef struct Figures {
     double ideal, filtered_error, unfiltered_error, filtered;
 } Figures;
 
-static Figures figures_of(const weft_texture *texture, double mean, const float dx[2], const float dy[2], uint32_t pixels)
+static Figures figures_of(const weft_texture *texture, double mean, const float dx[2], const float dy[2],
+                          uint32_t pixels)
 {
     static weft_point points[SAMPLES * SAMPLES];
     static float samples[SAMPLES * SAMPLES];
     Figures f = {0, 0, 0, 0};
     Random random = {99};
     for (uint32_t i = 0; i < pixels; ++i) {
-        const weft_point pixel = {4000 * random_unit(&random), 4000 * random_unit(&random), {dx[0], dx[1]}, {dy[0], dy[1]}};
+        const weft_point pixel = {
+            4000 * random_unit(&random), 4000 * random_unit(&random), {dx[0], dx[1]}, {dy[0], dy[1]}};
         const weft_point bare = {pixel.x, pixel.y, {0, 0}, {0, 0}};
         float filtered, unfiltered;
         for (int k = 0; k < SAMPLES * SAMPLES; ++k) {
-            const double right = (k % SAMPLES + 0.5) / SAMPLES - 0.5, down = (double)(k / SAMPLES + 0.5) / SAMPLES - 0.5;
+            const double right = (k % SAMPLES + 0.5) / SAMPLES - 0.5,
+                         down = (double)(k / SAMPLES + 0.5) / SAMPLES - 0.5;
             points[k] = bare;
             points[k].x += (double)dx[0] * right + (double)dx[1] * down;
             points[k].y += (double)dy[0] * right + (double)dy[1] * down;
@@ -110,8 +115,10 @@ static void against_supersampling(const weft_model *model, double most_of_ideal,
                          (!needs_filtering || f.filtered_error <= most_of_unfiltered * f.unfiltered_error);
         wrong += !good;
         if (!good || getenv("WEFT_TEST_FIGURES"))
-            print_message("%-36s error %.3f of the ideal's deviation, %.3f of the unfiltered error; deviation %.3f of the ideal's\n",
-                          footprint->name, f.filtered_error / f.ideal, f.filtered_error / f.unfiltered_error, f.filtered / f.ideal);
+            print_message("%-36s error %.3f of the ideal's deviation, %.3f of the unfiltered error; deviation %.3f of "
+                          "the ideal's\n",
+                          footprint->name, f.filtered_error / f.ideal, f.filtered_error / f.unfiltered_error,
+                          f.filtered / f.ideal);
     }
     assert_int_equal(wrong, 0);
     weft_texture_free(texture);
@@ -120,13 +127,13 @@ static void against_supersampling(const weft_model *model, double most_of_ideal,
 static void streaks_against_supersampling(void **state)
 {
     (void)state;
-    against_supersampling(soft, 0.45, 0.5);
+    against_supersampling(soft, 0.38, 0.5);
 }
 
 static void white_noise_against_supersampling(void **state)
 {
     (void)state;
-    against_supersampling(white, 0.8, 0.5);
+    against_supersampling(white, 0.68, 0.5);
 }
 
 /* A footprint smaller than a texel filters nothing; a rotation of the screen changes little. */
@@ -137,8 +144,8 @@ static void small_footprints_are_no_footprints(void **state)
     Random random = {3};
     for (int i = 0; i < 200; ++i) {
         const double x = 1000 * random_unit(&random), y = 1000 * random_unit(&random);
-        const weft_point bare = {x, y, {0, 0}, {0, 0}}, half = {x, y, {0.5f, 0}, {0, 0.5f}}, one = {x, y, {1, 0}, {0, 1}},
-                         turned = {x, y, {0, 1}, {-1, 0}};
+        const weft_point bare = {x, y, {0, 0}, {0, 0}}, half = {x, y, {0.5f, 0}, {0, 0.5f}},
+                         one = {x, y, {1, 0}, {0, 1}}, turned = {x, y, {0, 1}, {-1, 0}};
         float a, b, c, d;
         assert_ok(weft_texture_sample(texture, 1, &bare, &a));
         assert_ok(weft_texture_sample(texture, 1, &half, &b));
@@ -179,8 +186,9 @@ static void levels_of_noise(void **state)
     for (uint32_t level = 1; level <= 4; ++level) {
         double deviation = 0;
         const double error = level_error(texture, level, &deviation);
-        if (getenv("WEFT_TEST_FIGURES")) print_message("level %u: error %.3f of the mean's deviation\n", level, error / deviation);
-        assert_true(error < 0.5 * deviation);
+        if (getenv("WEFT_TEST_FIGURES"))
+            print_message("level %u: error %.3f of the mean's deviation\n", level, error / deviation);
+        assert_true(error < 0.42 * deviation);
     }
     weft_texture_free(texture);
 }

@@ -21,7 +21,8 @@ static void golden_pixels(void **state)
                 const uint64_t sum = golden_checksum(context, model, &golden_views[v]);
                 snprintf(expected, sizeof expected, "%s %zu %016llx\n", golden_models[m], v, (unsigned long long)sum);
                 if (strncmp(line, expected, strlen(expected)) != 0) {
-                    print_error("%s: is  %s  should be %.*s\n", names[d], expected, (int)(strchr(line, '\n') - line), line);
+                    print_error("%s: is  %s  should be %.*s\n", names[d], expected, (int)(strchr(line, '\n') - line),
+                                line);
                     fail();
                 }
                 line += strlen(expected);

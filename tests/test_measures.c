@@ -48,7 +48,8 @@ static weft_image spectrum_of(const weft_image *image, uint32_t width, uint32_t 
 static void a_spectrum_sums_to_the_variance(void **state)
 {
     (void)state;
-    const uint32_t sizes[][4] = {{64, 64, 64, 64}, {64, 48, 16, 16}, {61, 37, 15, 8}, {40, 40, 7, 31}, {33, 20, 1, 20}, {16, 16, 2, 2}, {20, 30, 20, 1}};
+    const uint32_t sizes[][4] = {{64, 64, 64, 64}, {64, 48, 16, 16}, {61, 37, 15, 8}, {40, 40, 7, 31},
+                                 {33, 20, 1, 20},  {16, 16, 2, 2},   {20, 30, 20, 1}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i)
         for (uint32_t channels = 1; channels <= 4; channels += 3) {
             weft_image image = new_grain(i % 2 ? GRAIN_SOFT : GRAIN_WHITE, sizes[i][0], sizes[i][1], channels, i);
@@ -73,12 +74,15 @@ static void sinusoids_are_peaks(void **state)
     weft_image image = new_image(128, 96, 2, WEFT_FORMAT_F32);
     for (uint32_t y = 0; y < 96; ++y)
         for (uint32_t x = 0; x < 128; ++x) {
-            values(&image)[(y * 128 + x) * 2] = (float)(0.5 + 0.2 * cos(2 * pi * (5.0 * x / 32 + 3.0 * y / 32) + 0.3) + 0.1 * sin(2 * pi * 9.0 * x / 32));
+            values(&image)[(y * 128 + x) * 2] = (float)(0.5 + 0.2 * cos(2 * pi * (5.0 * x / 32 + 3.0 * y / 32) + 0.3) +
+                                                        0.1 * sin(2 * pi * 9.0 * x / 32));
             values(&image)[(y * 128 + x) * 2 + 1] = (float)cos(2 * pi * 4.0 * y / 32);
         }
     weft_image spectrum = spectrum_of(&image, 32, 32);
-    const double strong = (double)value_at(&spectrum, 16 + 5, 16 + 3, 0), opposite = (double)value_at(&spectrum, 16 - 5, 16 - 3, 0);
-    const double weak = (double)value_at(&spectrum, 16 + 9, 16, 0), mirrored = (double)value_at(&spectrum, 16 + 5, 16 - 3, 0);
+    const double strong = (double)value_at(&spectrum, 16 + 5, 16 + 3, 0),
+                 opposite = (double)value_at(&spectrum, 16 - 5, 16 - 3, 0);
+    const double weak = (double)value_at(&spectrum, 16 + 9, 16, 0),
+                 mirrored = (double)value_at(&spectrum, 16 + 5, 16 - 3, 0);
     assert_true(fabs(strong - opposite) < 1e-6 * strong);
     assert_true(fabs(strong / weak - 4) < 1e-3);
     assert_true(mirrored < 1e-6 * strong);
@@ -103,7 +107,8 @@ static void one_segment_by_definition(void **state)
             double re = 0, im = 0;
             for (int y = 0; y < H; ++y)
                 for (int x = 0; x < W; ++x) {
-                    const double window = (0.5 - 0.5 * cos(2 * pi * (x + 0.5) / W)) * (0.5 - 0.5 * cos(2 * pi * (y + 0.5) / H));
+                    const double window =
+                        (0.5 - 0.5 * cos(2 * pi * (x + 0.5) / W)) * (0.5 - 0.5 * cos(2 * pi * (y + 0.5) / H));
                     const double phase = 2 * pi * ((double)(u - W / 2) * x / W + (double)(v - H / 2) * y / H);
                     re += window * ((double)value_at(&image, (uint32_t)x, (uint32_t)y, 0) - mean) * cos(phase);
                     im += window * ((double)value_at(&image, (uint32_t)x, (uint32_t)y, 0) - mean) * sin(phase);
@@ -113,7 +118,8 @@ static void one_segment_by_definition(void **state)
     for (int v = 0; v < H; ++v)
         for (int u = 0; u < W; ++u) {
             const double value = expected[v][u] / total * variance_of(&image, 0);
-            assert_true(fabs((double)value_at(&spectrum, (uint32_t)u, (uint32_t)v, 0) - value) <= 1e-5 * variance_of(&image, 0));
+            assert_true(fabs((double)value_at(&spectrum, (uint32_t)u, (uint32_t)v, 0) - value) <=
+                        1e-5 * variance_of(&image, 0));
         }
     free_image(&spectrum);
     free_image(&image);
@@ -124,7 +130,8 @@ static void autocovariance_by_definition(void **state)
     (void)state;
     const uint32_t sizes[][4] = {{24, 18, 9, 8}, {24, 18, 24, 18}, {17, 31, 17, 5}, {8, 8, 1, 1}, {16, 9, 2, 9}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
-        weft_image image = new_grain(GRAIN_STREAKS, sizes[i][0], sizes[i][1], 3, i), result = new_image(sizes[i][2], sizes[i][3], 3, WEFT_FORMAT_F32);
+        weft_image image = new_grain(GRAIN_STREAKS, sizes[i][0], sizes[i][1], 3, i),
+                   result = new_image(sizes[i][2], sizes[i][3], 3, WEFT_FORMAT_F32);
         assert_ok(weft_autocovariance(context, &image, &result));
         const int width = (int)image.width, height = (int)image.height;
         for (uint32_t c = 0; c < 3; ++c) {
@@ -138,9 +145,11 @@ static void autocovariance_by_definition(void **state)
                         for (int x = dx < 0 ? -dx : 0; x < width && x + dx < width; ++x, ++pairs)
                             sum += ((double)value_at(&image, (uint32_t)x, (uint32_t)y, c) - mean) *
                                    ((double)value_at(&image, (uint32_t)(x + dx), (uint32_t)(y + dy), c) - mean);
-                    assert_true(fabs((double)value_at(&result, u, v, c) - sum / pairs) <= 2e-5 * variance * width * height / pairs);
+                    assert_true(fabs((double)value_at(&result, u, v, c) - sum / pairs) <=
+                                2e-5 * variance * width * height / pairs);
                 }
-            assert_true(fabs((double)value_at(&result, result.width / 2, result.height / 2, c) - variance) <= 1e-5 * variance);
+            assert_true(fabs((double)value_at(&result, result.width / 2, result.height / 2, c) - variance) <=
+                        1e-5 * variance);
         }
         free_image(&result);
         free_image(&image);
@@ -199,8 +208,9 @@ static void constant_images(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_spectrum_sums_to_the_variance), cmocka_unit_test(sinusoids_are_peaks), cmocka_unit_test(one_segment_by_definition),
-        cmocka_unit_test(autocovariance_by_definition),    cmocka_unit_test(histogram_by_counting), cmocka_unit_test(constant_images),
+        cmocka_unit_test(a_spectrum_sums_to_the_variance), cmocka_unit_test(sinusoids_are_peaks),
+        cmocka_unit_test(one_segment_by_definition),       cmocka_unit_test(autocovariance_by_definition),
+        cmocka_unit_test(histogram_by_counting),           cmocka_unit_test(constant_images),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

@@ -1,4 +1,5 @@
-/* Every allocation fails once, in turn, in every function: the status, untouched outputs, nothing left. And the limit. */
+/* Every allocation fails once, in turn, in every function: the status, untouched outputs, nothing left. And the limit.
+ */
 #include "allocators.h"
 #include "support.h"
 #include <stdlib.h>
@@ -40,13 +41,11 @@ static int end(void **state)
 }
 
 /* A call over a context whose allocator is the ledger's; everything it makes is freed by it. Allocations of the set-up
- * before the call under test are not failed: `arm` begins the count. The limit of a context holds for the set-up as well. */
+ * before the call under test are not failed: `arm` begins the count. The limit of a context holds for the set-up as
+ * well. */
 typedef weft_status (*Call)(weft_context *context, Ledger *ledger, uint64_t fail_at);
 
-static void arm(Ledger *ledger, uint64_t fail_at)
-{
-    ledger->fail_at = fail_at ? ledger->calls + fail_at : 0;
-}
+static void arm(Ledger *ledger, uint64_t fail_at) { ledger->fail_at = fail_at ? ledger->calls + fail_at : 0; }
 
 static void disarm(Ledger *ledger) { ledger->fail_at = 0; }
 
@@ -58,8 +57,10 @@ static void disarm(Ledger *ledger) { ledger->fail_at = 0; }
         arm(ledger, fail_at);                                                                                          \
         const weft_status status = (expression);                                                                       \
         disarm(ledger);                                                                                                \
-        if (status == WEFT_OK) weft_model_free(model);                                                                 \
-        else assert_ptr_equal(model, UNTOUCHED);                                                                       \
+        if (status == WEFT_OK)                                                                                         \
+            weft_model_free(model);                                                                                    \
+        else                                                                                                           \
+            assert_ptr_equal(model, UNTOUCHED);                                                                        \
         return status;                                                                                                 \
     }
 static const weft_texton_options few = {sizeof few, 8, 2, 0, 0, 0, 0};
@@ -96,8 +97,10 @@ static weft_status create(weft_context *context, weft_model *model, Ledger *ledg
     arm(ledger, fail_at);
     const weft_status status = weft_texture_create(context, model, NULL, &texture);
     disarm(ledger);
-    if (status == WEFT_OK) weft_texture_free(texture);
-    else assert_ptr_equal(texture, UNTOUCHED);
+    if (status == WEFT_OK)
+        weft_texture_free(texture);
+    else
+        assert_ptr_equal(texture, UNTOUCHED);
     weft_model_free(model);
     return status;
 }
@@ -196,8 +199,8 @@ static weft_status with_context(Call call, uint32_t threads, uint64_t limit, Led
     return status;
 }
 
-/* Fails allocation n of the call for n = 1, 2, ... until the call succeeds, once it alone and once with all after it. Where
- * a call makes thousands of allocations, n grows in steps after the first hundred. */
+/* Fails allocation n of the call for n = 1, 2, ... until the call succeeds, once it alone and once with all after it.
+ * Where a call makes thousands of allocations, n grows in steps after the first hundred. */
 static void fail_each(Call call)
 {
     for (uint32_t threads = 1; threads <= 2; ++threads)
@@ -218,7 +221,8 @@ static void fail_each(Call call)
         }
 }
 
-/* With a limit of the call's peak it succeeds; with any lower one it fails, or does with less; the limit is always kept. */
+/* With a limit of the call's peak it succeeds; with any lower one it fails, or does with less; the limit is always
+ * kept. */
 static void limit_each(Call call)
 {
     Ledger ledger;

@@ -87,7 +87,8 @@ static void every_truncation(void **state)
         size_t size = 0;
         unsigned char *bytes = saved(model, &size);
         for (size_t length = 0; length < size; ++length) {
-            unsigned char *cut = malloc(length ? length : 1); /* an own block, so that a sanitizer sees one byte too many */
+            unsigned char *cut =
+                malloc(length ? length : 1); /* an own block, so that a sanitizer sees one byte too many */
             memcpy(cut, bytes, length);
             must_be_refused(cut, length, "truncated to", length);
             free(cut);
@@ -142,7 +143,8 @@ static void random_damage(void **state)
         switch (random_below(&random, 3)) {
         case 0: memmove(damaged + to, damaged + from, length); break;
         case 1: memset(damaged + to, (int)random_below(&random, 2) * 255, length); break;
-        default: for (size_t k = 0; k < length; ++k) damaged[to + k] = (unsigned char)random_bits(&random);
+        default:
+            for (size_t k = 0; k < length; ++k) damaged[to + k] = (unsigned char)random_bits(&random);
         }
         if (memcmp(damaged, bytes, size) != 0) must_be_refused(damaged, size, "damaged in round", round);
     }

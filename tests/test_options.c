@@ -1,4 +1,5 @@
-/* Structs of another size: shorter ones are filled up with zeros, longer ones are read if their tail is zero, else refused. */
+/* Structs of another size: shorter ones are filled up with zeros, longer ones are read if their tail is zero, else
+ * refused. */
 #include "support.h"
 #include <stdlib.h>
 #include <string.h>
@@ -109,7 +110,8 @@ static void longer_options(void **state)
 }
 
 /* Only `size` and some fields are there; what lies behind is rubbish that must not be read. */
-static void shorter(weft_status (*read)(const void *), const void *fresh, uint32_t whole, const uint32_t *ends, size_t count)
+static void shorter(weft_status (*read)(const void *), const void *fresh, uint32_t whole, const uint32_t *ends,
+                    size_t count)
 {
     for (size_t i = 0; i < count; ++i) {
         unsigned char *bytes = malloc(whole);
@@ -132,7 +134,7 @@ static void shorter_options(void **state)
                                      END_OF(weft_context_options, allocator)};
     shorter(read_context, &context_options, sizeof context_options, context_ends, 5);
     const weft_texton_options texton_options = WEFT_TEXTON_OPTIONS_INIT;
-    const uint32_t texton_ends[] = {END_OF(weft_texton_options, size), END_OF(weft_texton_options, support),
+    const uint32_t texton_ends[] = {END_OF(weft_texton_options, size),       END_OF(weft_texton_options, support),
                                     END_OF(weft_texton_options, iterations), END_OF(weft_texton_options, interpolation),
                                     END_OF(weft_texton_options, projection), END_OF(weft_texton_options, zero)};
     shorter(read_texton, &texton_options, sizeof texton_options, texton_ends, 6);
@@ -207,7 +209,8 @@ static void results_of_every_size(void **state)
     results(write_comparison, sizeof(weft_comparison), END_OF(weft_comparison, patch_distance));
 }
 
-/* NULL options, zeroed options with a size, and the _INIT value all mean the defaults: the same model, the same pixels. */
+/* NULL options, zeroed options with a size, and the _INIT value all mean the defaults: the same model, the same pixels.
+ */
 static void zero_is_the_default(void **state)
 {
     (void)state;
@@ -242,8 +245,9 @@ static void zero_is_the_default(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(longer_options),         cmocka_unit_test(shorter_options),     cmocka_unit_test(a_short_struct_is_read),
-        cmocka_unit_test(results_of_every_size), cmocka_unit_test(zero_is_the_default),
+        cmocka_unit_test(longer_options),         cmocka_unit_test(shorter_options),
+        cmocka_unit_test(a_short_struct_is_read), cmocka_unit_test(results_of_every_size),
+        cmocka_unit_test(zero_is_the_default),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

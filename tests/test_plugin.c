@@ -1,4 +1,5 @@
-/* Plug-ins: each wrong one is refused with its sentence and still listed; the right ones are used; where they are found. */
+/* Plug-ins: each wrong one is refused with its sentence and still listed; the right ones are used; where they are
+ * found. */
 #include "support.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -45,7 +46,8 @@ static const Specimen specimens[] = {
     {"weft_backend_text.so", "text", "", WEFT_ERROR_DEVICE},     /* no shared object */
     {"weft_backend_absent.so", "absent", "", WEFT_ERROR_DEVICE}, /* not there */
     {"libgood.so", "libgood.so", "its file is not called weft_backend_<name>.so", WEFT_ERROR_DEVICE},
-    {"weft_backend_Upper.so", "weft_backend_Upper.so", "its file is not called weft_backend_<name>.so", WEFT_ERROR_DEVICE},
+    {"weft_backend_Upper.so", "weft_backend_Upper.so", "its file is not called weft_backend_<name>.so",
+     WEFT_ERROR_DEVICE},
 };
 #define SPECIMENS (sizeof specimens / sizeof *specimens)
 
@@ -72,7 +74,8 @@ static void each_is_judged(void **state)
             weft_context_options options = WEFT_CONTEXT_OPTIONS_INIT;
             weft_context *context = NULL;
             options.device = specimen->name;
-            assert_refused(weft_context_create(&options, &context), WEFT_ERROR_DEVICE, "weft_context_create", specimen->name);
+            assert_refused(weft_context_create(&options, &context), WEFT_ERROR_DEVICE, "weft_context_create",
+                           specimen->name);
             assert_null(context);
         } else {
             assert_string_equal(info.description, "paints the mean");
@@ -105,7 +108,8 @@ static void loading_twice_lists_once(void **state)
     assert_ok(weft_device_count(&after));
     assert_int_equal(before, after);
     /* another file may not take the name of a backend that is there */
-    assert_refused(weft_backend_load(WEFT_TEST_STUBS "/elsewhere/weft_backend_good.so"), WEFT_ERROR_DEVICE, "weft_backend_load", "good");
+    assert_refused(weft_backend_load(WEFT_TEST_STUBS "/elsewhere/weft_backend_good.so"), WEFT_ERROR_DEVICE,
+                   "weft_backend_load", "good");
     assert_int_equal(listed("good").status, WEFT_OK);
 }
 
@@ -127,7 +131,8 @@ static void no_devices_and_sick_ones(void **state)
     assert_int_equal(info.status, WEFT_ERROR_DEVICE);
     assert_string_equal(info.description, "this device has a cold");
     options.device = "sick";
-    assert_refused(weft_context_create(&options, &context), WEFT_ERROR_DEVICE, "weft_context_create", "this device has a cold");
+    assert_refused(weft_context_create(&options, &context), WEFT_ERROR_DEVICE, "weft_context_create",
+                   "this device has a cold");
 }
 
 /* Pixels of a small texton on the named device: every value. */
@@ -174,14 +179,16 @@ static void what_a_plug_in_says_is_passed_on(void **state)
     weft_model *model = new_texton(context, 16, 1, 8, WEFT_INTERPOLATION_LINEAR, 1);
     weft_texture *texture = new_texture(context, model, 0, 1, 0);
     weft_image image = new_image(20, 20, 1, WEFT_FORMAT_F32);
-    assert_refused(weft_texture_render(texture, 0, 0, 0, NULL, NULL, &image), WEFT_ERROR_DEVICE, "weft_texture_render", "the brush is broken");
+    assert_refused(weft_texture_render(texture, 0, 0, 0, NULL, NULL, &image), WEFT_ERROR_DEVICE, "weft_texture_render",
+                   "the brush is broken");
     free_image(&image);
     weft_texture_free(texture);
     weft_model_free(model);
     weft_context_free(context);
 }
 
-/* This program again, in a process of its own with another environment, as a list of devices: "name status description". */
+/* This program again, in a process of its own with another environment, as a list of devices: "name status
+ * description". */
 static void list_in_child(const char *path, char *out, size_t size)
 {
     int ends[2];
@@ -230,8 +237,18 @@ static void the_path_of_the_environment(void **state)
     assert_int_equal(strncmp(out, "scalar 0 ", 9), 0);
     assert_null(strstr(out, "\nsimd"));
     const char *last = out;
-    const char *const in_order[] = {"\nweft_backend_Upper.so -6 ", "\nalias -6 ", "\nempty -6 ", "\nfails 0 ",  "\ngood 0 ",  "\nhole -6 ",
-                                    "\nlonger 0 ",                 "\nmagic -6 ", "\nmajor -5 ", "\nminor 0 ", "\nshort -6 ", "\nsymbol -6 "};
+    const char *const in_order[] = {"\nweft_backend_Upper.so -6 ",
+                                    "\nalias -6 ",
+                                    "\nempty -6 ",
+                                    "\nfails 0 ",
+                                    "\ngood 0 ",
+                                    "\nhole -6 ",
+                                    "\nlonger 0 ",
+                                    "\nmagic -6 ",
+                                    "\nmajor -5 ",
+                                    "\nminor 0 ",
+                                    "\nshort -6 ",
+                                    "\nsymbol -6 "};
     for (size_t i = 0; i < sizeof in_order / sizeof *in_order; ++i) {
         const char *found = strstr(out, in_order[i]);
         if (!found) print_error("no '%s' in:\n%s", in_order[i] + 1, out);
@@ -259,9 +276,12 @@ int main(int argc, char **argv)
 {
     if (argc == 2 && strcmp(argv[1], "list") == 0) return list();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_is_judged),           cmocka_unit_test(paths_must_be_absolute),
-        cmocka_unit_test(loading_twice_lists_once), cmocka_unit_test(no_devices_and_sick_ones),
-        cmocka_unit_test(accepted_ones_are_used),   cmocka_unit_test(what_a_plug_in_says_is_passed_on),
+        cmocka_unit_test(each_is_judged),
+        cmocka_unit_test(paths_must_be_absolute),
+        cmocka_unit_test(loading_twice_lists_once),
+        cmocka_unit_test(no_devices_and_sick_ones),
+        cmocka_unit_test(accepted_ones_are_used),
+        cmocka_unit_test(what_a_plug_in_says_is_passed_on),
         cmocka_unit_test(the_path_of_the_environment),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,5 @@
-/* Progress: from 0 to 1, never back, on the calling thread; cancelling at every step ends the call and leaves nothing. */
+/* Progress: from 0 to 1, never back, on the calling thread; cancelling at every step ends the call and leaves nothing.
+ */
 #include "allocators.h"
 #include "support.h"
 #include <math.h>
@@ -18,8 +19,10 @@ static int32_t on_progress(void *user, float done)
     if (report->cancel_at && report->calls >= report->cancel_at) ++report->after_cancel;
     if (!pthread_equal(pthread_self(), report->caller)) report->wrong_thread = 1;
     if (!(done >= 0 && done <= 1)) report->outside = 1;
-    if (report->calls == 0) report->first = done;
-    else if (!(done >= report->last)) report->backwards = 1;
+    if (report->calls == 0)
+        report->first = done;
+    else if (!(done >= report->last))
+        report->backwards = 1;
     report->last = done;
     ++report->calls;
     return report->calls == report->cancel_at ? 1 : 0;
@@ -59,8 +62,10 @@ static weft_status call_analyze(weft_context *context, Report *report)
     weft_texton_options options = WEFT_TEXTON_OPTIONS_INIT;
     options.iterations = 12;
     const weft_status status = weft_analyze_texton(context, &photo, &options, on_progress, report, &made);
-    if (status == WEFT_OK) weft_model_free(made);
-    else assert_ptr_equal(made, UNTOUCHED);
+    if (status == WEFT_OK)
+        weft_model_free(made);
+    else
+        assert_ptr_equal(made, UNTOUCHED);
     return status;
 }
 
@@ -117,7 +122,8 @@ static void observe(Call call, uint32_t least_calls)
             const uint32_t calls = report.calls, step = 1 + calls / scaled(24, 8);
             for (uint32_t n = 1; n <= calls; n += n < 8 ? 1 : step) {
                 const weft_status status = observed(call, device[d], threads, n, &report);
-                if (status == WEFT_OK && report.calls < n) break; /* another number of threads' luck: fewer reports this time */
+                if (status == WEFT_OK && report.calls < n)
+                    break; /* another number of threads' luck: fewer reports this time */
                 assert_int_equal(status, WEFT_ERROR_CANCELLED);
                 assert_int_equal(report.after_cancel, 0);
                 assert_true(weft_error_message()[0] != 0);

@@ -1,7 +1,8 @@
 /* Rendered noise has the statistics that its model promises, within the confidence interval of the sample.
  *
- * Each estimate is made on `windows` independent windows (seeds); their spread gives the standard error, and Student's t
- * the distance to the expected value that chance explains. All seeds are fixed: the test gives the same answer always. */
+ * Each estimate is made on `windows` independent windows (seeds); their spread gives the standard error, and Student's
+ * t the distance to the expected value that chance explains. All seeds are fixed: the test gives the same answer
+ * always. */
 #include "covariance.h"
 #include <math.h>
 #include <stdlib.h>
@@ -56,7 +57,8 @@ static void assert_expected(const Estimate *estimate, double expected, double na
 {
     const double mean = mean_of(estimate), half = bound() * error_of(estimate);
     if (fabs(mean - expected) <= half && half <= narrow) return;
-    print_error("%s %d: %g, expected %g, half interval %g, to be below %g\n", what, index, mean, expected, half, narrow);
+    print_error("%s %d: %g, expected %g, half interval %g, to be below %g\n", what, index, mean, expected, half,
+                narrow);
     fail();
 }
 
@@ -127,17 +129,18 @@ static void check_moments(const Promise *promise, float impacts)
         assert_expected(&covariance[0][a][a], variance, 0.2 * variance, "variance of channel", (int)a);
         for (int l = 0; l < LAGS; ++l)
             for (uint32_t b = 0; b < CHANNELS; ++b)
-                assert_expected(&covariance[l][a][b],
-                                noise_covariance(&promise->texton, promise->info.interpolation, a, b, lags[l][0], lags[l][1]), 0.2 * variance,
-                                "covariance at lag", l);
+                assert_expected(
+                    &covariance[l][a][b],
+                    noise_covariance(&promise->texton, promise->info.interpolation, a, b, lags[l][0], lags[l][1]),
+                    0.2 * variance, "covariance at lag", l);
     }
 }
 
 static void mean_and_covariance(void **state)
 {
     (void)state;
-    const weft_interpolation interpolations[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST, WEFT_INTERPOLATION_CUBIC,
-                                                 WEFT_INTERPOLATION_QUINTIC};
+    const weft_interpolation interpolations[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST,
+                                                 WEFT_INTERPOLATION_CUBIC, WEFT_INTERPOLATION_QUINTIC};
     for (int i = 0; i < 4; ++i) {
         Promise promise = make_promise(16, interpolations[i]);
         const float impacts[] = {30, 10, 100};
@@ -146,13 +149,16 @@ static void mean_and_covariance(void **state)
     }
 }
 
-/* Periodogram of Hann-windowed 16 x 16 segments at half overlap, with a plain DFT; its sum over frequencies is the variance. */
+/* Periodogram of Hann-windowed 16 x 16 segments at half overlap, with a plain DFT; its sum over frequencies is the
+ * variance. */
 #define SEGMENT 16
 static double hann(int i) { return 0.5 - 0.5 * cos(2 * 3.14159265358979323846 * (i + 0.5) / SEGMENT); }
 
-static void add_periodogram(const weft_image *image, double mean, uint32_t c, uint32_t left, uint32_t top, double *power)
+static void add_periodogram(const weft_image *image, double mean, uint32_t c, uint32_t left, uint32_t top,
+                            double *power)
 {
-    double rows_re[SEGMENT][SEGMENT], rows_im[SEGMENT][SEGMENT], cosine[SEGMENT], sine[SEGMENT], window[SEGMENT], energy = 0;
+    double rows_re[SEGMENT][SEGMENT], rows_im[SEGMENT][SEGMENT], cosine[SEGMENT], sine[SEGMENT], window[SEGMENT],
+        energy = 0;
     for (int i = 0; i < SEGMENT; ++i) {
         cosine[i] = cos(2 * 3.14159265358979323846 * i / SEGMENT);
         sine[i] = sin(2 * 3.14159265358979323846 * i / SEGMENT);
@@ -163,7 +169,8 @@ static void add_periodogram(const weft_image *image, double mean, uint32_t c, ui
         for (int u = 0; u < SEGMENT; ++u) {
             double re = 0, im = 0;
             for (int x = 0; x < SEGMENT; ++x) {
-                const double value = window[x] * window[y] * ((double)value_at(image, left + (uint32_t)x, top + (uint32_t)y, c) - mean);
+                const double value =
+                    window[x] * window[y] * ((double)value_at(image, left + (uint32_t)x, top + (uint32_t)y, c) - mean);
                 re += value * cosine[u * x % SEGMENT];
                 im -= value * sine[u * x % SEGMENT];
             }
@@ -193,10 +200,12 @@ static void expected_periodogram(const Promise *promise, uint32_t c, double *pow
     memset(power, 0, sizeof *power * SEGMENT * SEGMENT);
     for (int dy = 1 - SEGMENT; dy < SEGMENT; ++dy)
         for (int dx = 1 - SEGMENT; dx < SEGMENT; ++dx) {
-            const double covariance = noise_covariance(&promise->texton, promise->info.interpolation, c, c, dx, dy) * overlap[abs(dx)] * overlap[abs(dy)];
+            const double covariance = noise_covariance(&promise->texton, promise->info.interpolation, c, c, dx, dy) *
+                                      overlap[abs(dx)] * overlap[abs(dy)];
             for (int v = 0; v < SEGMENT; ++v)
                 for (int u = 0; u < SEGMENT; ++u)
-                    power[v * SEGMENT + u] += covariance * cos(2 * 3.14159265358979323846 * (u * dx + v * dy) / SEGMENT) /
+                    power[v * SEGMENT + u] += covariance *
+                                              cos(2 * 3.14159265358979323846 * (u * dx + v * dy) / SEGMENT) /
                                               (SEGMENT * SEGMENT * energy * energy);
         }
 }
@@ -227,7 +236,8 @@ static void spectrum(void **state)
             weft_texture_free(texture);
         }
         for (uint32_t c = 0; c < CHANNELS; ++c)
-            for (int k = 0; k < SEGMENT * SEGMENT; ++k) assert_expected(&estimate[c][k], expected[c][k], 0.3 * most, "power of frequency", k);
+            for (int k = 0; k < SEGMENT * SEGMENT; ++k)
+                assert_expected(&estimate[c][k], expected[c][k], 0.3 * most, "power of frequency", k);
     }
     free_promise(&promise);
 }
@@ -257,7 +267,8 @@ static void realisations_are_independent(void **state)
     Promise promise = make_promise(16, WEFT_INTERPOLATION_LINEAR);
     Estimate seeds = {0, 0, 0}, places = {0, 0, 0};
     for (uint32_t i = 0; i < windows(); ++i) {
-        weft_texture *one = new_texture(context, promise.model, 30, 2 * i, 0), *two = new_texture(context, promise.model, 30, 2 * i + 1, 0);
+        weft_texture *one = new_texture(context, promise.model, 30, 2 * i, 0),
+                     *two = new_texture(context, promise.model, 30, 2 * i + 1, 0);
         weft_image a = rendered(one, 0, 0, 0, SIDE, SIDE, CHANNELS), b = rendered(two, 0, 0, 0, SIDE, SIDE, CHANNELS);
         weft_image c = rendered(one, SIDE + 20, 0, 0, SIDE, SIDE, CHANNELS);
         double ab = 0, ac = 0;

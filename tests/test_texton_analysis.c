@@ -58,10 +58,11 @@ static void assert_close(double value, double expected, double tolerance, const 
 }
 
 static const Grain grains[] = {GRAIN_SOFT, GRAIN_STREAKS, GRAIN_BAND, GRAIN_WHITE};
-static const weft_interpolation interpolations[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST, WEFT_INTERPOLATION_CUBIC,
-                                                    WEFT_INTERPOLATION_QUINTIC};
+static const weft_interpolation interpolations[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST,
+                                                    WEFT_INTERPOLATION_CUBIC, WEFT_INTERPOLATION_QUINTIC};
 
-/* The error that is reported is that of the coefficients that are handed out, by the formula; mean and deviation likewise. */
+/* The error that is reported is that of the coefficients that are handed out, by the formula; mean and deviation
+ * likewise. */
 static void what_is_reported(void **state)
 {
     (void)state;
@@ -70,14 +71,16 @@ static void what_is_reported(void **state)
         const uint32_t channels = 1 + i % 3;
         const weft_interpolation interpolation = interpolations[i % 4];
         weft_image photo = new_grain(grains[i % 4], sizes[i % 3][0], sizes[i % 3][1], channels, i);
-        Learnt learnt = learn(&photo, 11, i % 2 ? 0 : 5, interpolation, i % 5 == 0 ? WEFT_PROJECTION_PLAIN : WEFT_PROJECTION_DEFAULT, i);
+        Learnt learnt = learn(&photo, 11, i % 2 ? 0 : 5, interpolation,
+                              i % 5 == 0 ? WEFT_PROJECTION_PLAIN : WEFT_PROJECTION_DEFAULT, i);
         Reference reference;
         reference_open(&reference, &photo, interpolation);
         const double error = reference_error(&reference, &learnt.texton);
         assert_close((double)learnt.info.model_error, error, 1e-4 * error + 1e-5, "model error");
         for (uint32_t a = 0; a < channels; ++a) {
             assert_close((double)learnt.info.mean[a], reference.mean[a], 1e-6, "mean");
-            assert_close((double)learnt.info.deviation[a], sqrt(noise_covariance(&learnt.texton, interpolation, a, a, 0, 0)), 1e-6, "deviation");
+            assert_close((double)learnt.info.deviation[a],
+                         sqrt(noise_covariance(&learnt.texton, interpolation, a, a, 0, 0)), 1e-6, "deviation");
         }
         reference_close(&reference);
         forget(&learnt);
@@ -99,14 +102,16 @@ static void covariance_is_the_exemplars(void **state)
         for (uint32_t a = 0; a < channels; ++a)
             for (uint32_t b = 0; b < channels; ++b)
                 assert_close(noise_covariance(&learnt.texton, interpolation, a, b, 0, 0), reference.covariance[a][b],
-                             2e-4 * sqrt(reference.covariance[a][a] * reference.covariance[b][b]), "covariance of channels");
+                             2e-4 * sqrt(reference.covariance[a][a] * reference.covariance[b][b]),
+                             "covariance of channels");
         reference_close(&reference);
         forget(&learnt);
         free_image(&photo);
     }
 }
 
-/* The default is not worse than 50 plain iterations: ours by option, and the reference's own from another white noise. */
+/* The default is not worse than 50 plain iterations: ours by option, and the reference's own from another white noise.
+ */
 static void not_worse_than_fifty_plain_iterations(void **state)
 {
     (void)state;
@@ -118,8 +123,8 @@ static void not_worse_than_fifty_plain_iterations(void **state)
         Learnt ours = learn(&photo, support, 0, WEFT_INTERPOLATION_LINEAR, WEFT_PROJECTION_DEFAULT, 1);
         Learnt plain = learn(&photo, support, 50, WEFT_INTERPOLATION_LINEAR, WEFT_PROJECTION_PLAIN, 1);
         if (ours.info.model_error > plain.info.model_error)
-            print_error("grain %u, support %u, %u channels: default %g, plain %g\n", i % 4, support, channels, (double)ours.info.model_error,
-                        (double)plain.info.model_error);
+            print_error("grain %u, support %u, %u channels: default %g, plain %g\n", i % 4, support, channels,
+                        (double)ours.info.model_error, (double)plain.info.model_error);
         assert_true(ours.info.model_error <= plain.info.model_error);
         if (channels == 1) { /* the plain option is the algorithm: on average over starts the same error */
             Reference reference;
@@ -145,7 +150,8 @@ static void not_worse_than_fifty_plain_iterations(void **state)
     assert_close(ratios / count, 1, 0.03, "plain iterations over the reference's");
 }
 
-/* More iterations do not make it worse, a larger support neither (of the same exemplar, by more than the start's chance). */
+/* More iterations do not make it worse, a larger support neither (of the same exemplar, by more than the start's
+ * chance). */
 static void more_is_not_worse(void **state)
 {
     (void)state;
@@ -172,9 +178,11 @@ static void more_is_not_worse(void **state)
 
 static void assert_sane(const Learnt *learnt)
 {
-    for (size_t i = 0; i < image_bytes(&learnt->texton) / sizeof(float); ++i) assert_true(isfinite(values(&learnt->texton)[i]));
+    for (size_t i = 0; i < image_bytes(&learnt->texton) / sizeof(float); ++i)
+        assert_true(isfinite(values(&learnt->texton)[i]));
     for (uint32_t c = 0; c < learnt->info.channels; ++c)
-        assert_true(isfinite(learnt->info.mean[c]) && isfinite(learnt->info.deviation[c]) && learnt->info.deviation[c] >= 0);
+        assert_true(isfinite(learnt->info.mean[c]) && isfinite(learnt->info.deviation[c]) &&
+                    learnt->info.deviation[c] >= 0);
     assert_true(isfinite(learnt->info.model_error));
     weft_texture *texture = new_texture(context, learnt->model, 0, 0, 0);
     weft_image image = rendered(texture, 0, 0, 0, 20, 10, learnt->info.channels);
@@ -186,7 +194,8 @@ static void assert_sane(const Learnt *learnt)
 static void any_size_and_number_of_channels(void **state)
 {
     (void)state;
-    const uint32_t sizes[][2] = {{8, 8}, {8, 9}, {11, 13}, {31, 37}, {127, 8}, {8, 127}, {97, 101}, {64, 48}, {121, 25}};
+    const uint32_t sizes[][2] = {{8, 8},   {8, 9},    {11, 13}, {31, 37}, {127, 8},
+                                 {8, 127}, {97, 101}, {64, 48}, {121, 25}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
         const uint32_t width = sizes[i][0], height = sizes[i][1], shorter = width < height ? width : height;
         const uint32_t supports[] = {1, 2, shorter / 2, shorter - 1, shorter, 0};
@@ -207,7 +216,8 @@ static void any_size_and_number_of_channels(void **state)
     }
 }
 
-/* Grey stored as RGB: a covariance of rank 1. The channels stay the same, and the same as the single channel's deviation. */
+/* Grey stored as RGB: a covariance of rank 1. The channels stay the same, and the same as the single channel's
+ * deviation. */
 static void grey_stored_as_colour(void **state)
 {
     (void)state;
@@ -220,8 +230,10 @@ static void grey_stored_as_colour(void **state)
     for (uint32_t i = 0; i < 12 * 12; ++i) largest = fmax(largest, fabs((double)values(&three.texton)[3 * i]));
     for (uint32_t i = 0; i < 12 * 12; ++i)
         for (uint32_t c = 1; c < 3; ++c)
-            assert_close((double)values(&three.texton)[3 * i + c], (double)values(&three.texton)[3 * i], 1e-4 * largest, "coefficient");
-    for (uint32_t c = 0; c < 3; ++c) assert_close((double)three.info.deviation[c], (double)one.info.deviation[0], 1e-4, "deviation");
+            assert_close((double)values(&three.texton)[3 * i + c], (double)values(&three.texton)[3 * i], 1e-4 * largest,
+                         "coefficient");
+    for (uint32_t c = 0; c < 3; ++c)
+        assert_close((double)three.info.deviation[c], (double)one.info.deviation[0], 1e-4, "deviation");
     forget(&one);
     forget(&three);
     free_image(&grey);
@@ -252,7 +264,8 @@ static void constant_channels(void **state)
 static void formats(void **state)
 {
     (void)state;
-    weft_image bytes = new_image(24, 24, 3, WEFT_FORMAT_U8), words = new_image(24, 24, 3, WEFT_FORMAT_U16), floats = new_image(24, 24, 3, WEFT_FORMAT_F32);
+    weft_image bytes = new_image(24, 24, 3, WEFT_FORMAT_U8), words = new_image(24, 24, 3, WEFT_FORMAT_U16),
+               floats = new_image(24, 24, 3, WEFT_FORMAT_F32);
     Random random = {8};
     for (uint32_t i = 0; i < 24 * 24 * 3; ++i) {
         const uint8_t byte = (uint8_t)random_below(&random, 256);
@@ -270,7 +283,8 @@ static void formats(void **state)
     forget(&c);
 
     unsigned char *upside_down = malloc(24 * (24 * 3 + 5)); /* rows from the last to the first, with gaps */
-    for (uint32_t y = 0; y < 24; ++y) memcpy(upside_down + (size_t)(23 - y) * (24 * 3 + 5), (uint8_t *)bytes.data + (size_t)y * 24 * 3, 24 * 3);
+    for (uint32_t y = 0; y < 24; ++y)
+        memcpy(upside_down + (size_t)(23 - y) * (24 * 3 + 5), (uint8_t *)bytes.data + (size_t)y * 24 * 3, 24 * 3);
     const weft_image view = {upside_down + 23 * (24 * 3 + 5), -(24 * 3 + 5), 24, 24, 3, WEFT_FORMAT_U8};
     a = learn(&view, 8, 5, WEFT_INTERPOLATION_LINEAR, WEFT_PROJECTION_DEFAULT, 1);
     b = learn(&bytes, 8, 5, WEFT_INTERPOLATION_LINEAR, WEFT_PROJECTION_DEFAULT, 1);

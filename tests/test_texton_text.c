@@ -51,7 +51,8 @@ static void what_is_read(void **state)
     assert_true(info.model_error == -1);
     assert_true(info.mean[0] == 0.5f && info.mean[1] == 0.25f && info.mean[2] == 0.125f);
     weft_image part = part_of(model, 0);
-    static const float expected[2][3][3] = {{{1, 10, 0.1f}, {2, 20, 0.2f}, {3, 30, -0.3f}}, {{4, 40, 0.4f}, {5, 50, 0.5f}, {6, 60, 0.6f}}};
+    static const float expected[2][3][3] = {{{1, 10, 0.1f}, {2, 20, 0.2f}, {3, 30, -0.3f}},
+                                            {{4, 40, 0.4f}, {5, 50, 0.5f}, {6, 60, 0.6f}}};
     assert_memory_equal(part.data, expected, sizeof expected); /* the top row is the last of the text */
     free_image(&part);
     weft_model_free(model);
@@ -60,8 +61,16 @@ static void what_is_read(void **state)
 static void every_order_of_interpolation(void **state)
 {
     (void)state;
-    static const weft_interpolation expected[] = {WEFT_INTERPOLATION_NEAREST, WEFT_INTERPOLATION_LINEAR, 0, WEFT_INTERPOLATION_CUBIC,
-                                                  0,                          WEFT_INTERPOLATION_QUINTIC, 0, 0, 0, 0};
+    static const weft_interpolation expected[] = {WEFT_INTERPOLATION_NEAREST,
+                                                  WEFT_INTERPOLATION_LINEAR,
+                                                  0,
+                                                  WEFT_INTERPOLATION_CUBIC,
+                                                  0,
+                                                  WEFT_INTERPOLATION_QUINTIC,
+                                                  0,
+                                                  0,
+                                                  0,
+                                                  0};
     for (char order = '0'; order <= '9'; ++order) {
         char text[sizeof framed];
         weft_model *model = UNTOUCHED;
@@ -69,7 +78,8 @@ static void every_order_of_interpolation(void **state)
         memcpy(text, framed, sizeof text);
         text[9] = order;
         if (!expected[order - '0']) {
-            assert_refused(weft_model_load_texton(context, text, sizeof text - 1, &model), WEFT_ERROR_FORMAT, "weft_model_load_texton", "interpolation");
+            assert_refused(weft_model_load_texton(context, text, sizeof text - 1, &model), WEFT_ERROR_FORMAT,
+                           "weft_model_load_texton", "interpolation");
             assert_ptr_equal(model, UNTOUCHED);
             continue;
         }
@@ -80,7 +90,8 @@ static void every_order_of_interpolation(void **state)
     }
 }
 
-/* Text -> model -> text -> model: the same floats, and from then on the same text. Also from a model that was analysed. */
+/* Text -> model -> text -> model: the same floats, and from then on the same text. Also from a model that was analysed.
+ */
 static void round_trip(weft_model *model, uint32_t channels)
 {
     size_t size = 0, again_size = 0, measured = 0;
@@ -122,8 +133,8 @@ static void round_trips(void **state)
     weft_model *model = read_text(framed, sizeof framed - 1);
     round_trip(model, 3);
     weft_model_free(model);
-    const weft_interpolation interpolations[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST, WEFT_INTERPOLATION_CUBIC,
-                                                 WEFT_INTERPOLATION_QUINTIC};
+    const weft_interpolation interpolations[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST,
+                                                 WEFT_INTERPOLATION_CUBIC, WEFT_INTERPOLATION_QUINTIC};
     for (uint32_t i = 0; i < 8; ++i) {
         model = new_texton(context, 16, i & 1 ? 3 : 1, 1 + 2 * i, interpolations[i / 2], i);
         round_trip(model, i & 1 ? 3 : 1);
@@ -135,9 +146,11 @@ static void models_that_the_text_cannot_hold(void **state)
 {
     (void)state;
     size_t length = 7;
-    weft_model *two = new_texton(context, 16, 2, 4, WEFT_INTERPOLATION_LINEAR, 1), *picture = new_picture(context, 4, 4, 3, 1);
+    weft_model *two = new_texton(context, 16, 2, 4, WEFT_INTERPOLATION_LINEAR, 1),
+               *picture = new_picture(context, 4, 4, 3, 1);
     assert_refused(weft_model_save_texton(two, NULL, 0, &length), WEFT_ERROR_UNSUPPORTED, "weft_model_save_texton", "");
-    assert_refused(weft_model_save_texton(picture, NULL, 0, &length), WEFT_ERROR_UNSUPPORTED, "weft_model_save_texton", "");
+    assert_refused(weft_model_save_texton(picture, NULL, 0, &length), WEFT_ERROR_UNSUPPORTED, "weft_model_save_texton",
+                   "");
     assert_int_equal(length, 7);
     weft_model_free(two);
     weft_model_free(picture);
@@ -252,8 +265,9 @@ static void what_is_tolerated(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_read), cmocka_unit_test(every_order_of_interpolation), cmocka_unit_test(round_trips),
-        cmocka_unit_test(models_that_the_text_cannot_hold), cmocka_unit_test(every_truncation), cmocka_unit_test(wrong_words),
+        cmocka_unit_test(what_is_read),      cmocka_unit_test(every_order_of_interpolation),
+        cmocka_unit_test(round_trips),       cmocka_unit_test(models_that_the_text_cannot_hold),
+        cmocka_unit_test(every_truncation),  cmocka_unit_test(wrong_words),
         cmocka_unit_test(what_is_tolerated),
     };
     return cmocka_run_group_tests(tests, begin, end);

@@ -1,4 +1,5 @@
-/* Threads: one texture from many of them, any executor, fork; always the same bytes, and never a thread that was not allowed. */
+/* Threads: one texture from many of them, any executor, fork; always the same bytes, and never a thread that was not
+ * allowed. */
 #include "executors.h"
 #include "support.h"
 #include <pthread.h>
@@ -68,7 +69,8 @@ static void any_executor_gives_the_same_bytes(void **state)
     Result expected[2];
     for (int d = 0; d < 2; ++d) {
         expected[d] = result_of(over(NULL, 1, device[d]));
-        const weft_executor *const executor[] = {NULL, NULL, NULL, &serial_executor, &reversed_executor, &threads_executor};
+        const weft_executor *const executor[] = {
+            NULL, NULL, NULL, &serial_executor, &reversed_executor, &threads_executor};
         const uint32_t threads[] = {2, 5, 0, 1, 1, 4};
         for (int i = 0; i < 6; i += d == 0 ? 1 : 2) { /* the best device: its pool, the machine's, reversed */
             const Result result = result_of(over(executor[i], threads[i], device[d]));
@@ -102,14 +104,16 @@ static void visit(Visitor *visitor)
         const weft_image image = {window, 0, 41, 37, 3, WEFT_FORMAT_F32};
         if (weft_texture_render(visitor->texture, x, y, 0, NULL, NULL, &image) != WEFT_OK) visitor->wrong |= 1;
         for (uint32_t row = 0; row < 37; ++row)
-            if (memcmp(window + (size_t)row * 41 * 3, values(expected) + ((size_t)(y + row) * WIDTH + x) * 3, 41 * 3 * sizeof *window) != 0)
+            if (memcmp(window + (size_t)row * 41 * 3, values(expected) + ((size_t)(y + row) * WIDTH + x) * 3,
+                       41 * 3 * sizeof *window) != 0)
                 visitor->wrong |= 2;
         const weft_point point = {x + 0.5, y + 0.5, {0, 0}, {0, 0}};
         if (weft_texture_sample(visitor->texture, 1, &point, sample) != WEFT_OK) visitor->wrong |= 4;
         if (memcmp(sample, window, sizeof sample) != 0) visitor->wrong |= 8;
         weft_model_info info = WEFT_MODEL_INFO_INIT;
         if (weft_model_get(visitor->model, &info) != WEFT_OK || info.channels != 3) visitor->wrong |= 16;
-        if (weft_texture_render(visitor->texture, 0, 0, 100 + visitor->number, NULL, NULL, &image) != WEFT_ERROR_ARGUMENT)
+        if (weft_texture_render(visitor->texture, 0, 0, 100 + visitor->number, NULL, NULL, &image) !=
+            WEFT_ERROR_ARGUMENT)
             visitor->wrong |= 32;
         char level[16] = "";
         for (uint32_t n = 100 + visitor->number, at = 3; at-- > 0; n /= 10) level[at] = (char)('0' + n % 10);
@@ -230,10 +234,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_thread_without_permission), /* first: OpenCL's own threads come later */
-        cmocka_unit_test(threads_end_with_their_context),
-        cmocka_unit_test(fork_keeps_working),
-        cmocka_unit_test(any_executor_gives_the_same_bytes),
-        cmocka_unit_test(one_texture_from_many_threads),
+        cmocka_unit_test(threads_end_with_their_context),    cmocka_unit_test(fork_keeps_working),
+        cmocka_unit_test(any_executor_gives_the_same_bytes), cmocka_unit_test(one_texture_from_many_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

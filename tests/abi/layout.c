@@ -1,9 +1,11 @@
-/* Prints `struct field offset size` of every public struct, as layout.txt has it; every binding compares itself with that. */
+/* Prints `struct field offset size` of every public struct, as layout.txt has it; every binding compares itself with
+ * that. */
 #include <stdio.h>
 #include <weft/backend.h>
 
 #define STRUCT(type) printf("%s - 0 %u\n", #type, (unsigned)sizeof(type))
-#define FIELD(type, field) printf("%s %s %u %u\n", #type, #field, (unsigned)offsetof(type, field), (unsigned)sizeof(((type *)0)->field))
+#define FIELD(type, field)                                                                                             \
+    printf("%s %s %u %u\n", #type, #field, (unsigned)offsetof(type, field), (unsigned)sizeof(((type *)0)->field))
 
 static void weft_h(void)
 {

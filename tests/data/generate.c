@@ -1,7 +1,9 @@
-/* Wrote the files of this folder: `generate_golden FOLDER models` the models, `generate_golden FOLDER checksums` golden.txt.
+/* Wrote the files of this folder: `generate_golden FOLDER models` the models, `generate_golden FOLDER checksums`
+ * golden.txt.
  *
- * Models come from synthetic exemplars by analysis, whose last bits depend on the machine; they were written once and are
- * kept. The checksums follow from the models alone and are written anew only when a release changes pixels on purpose. */
+ * Models come from synthetic exemplars by analysis, whose last bits depend on the machine; they were written once and
+ * are kept. The checksums follow from the models alone and are written anew only when a release changes pixels on
+ * purpose. */
 #include "golden.h"
 #include <string.h>
 
@@ -19,7 +21,8 @@ static void write_model(weft_model *model, const char *folder, const char *name)
     weft_model_free(model);
 }
 
-static weft_model *analyzed(weft_context *context, Grain grain, uint32_t channels, uint32_t support, weft_interpolation interpolation)
+static weft_model *analyzed(weft_context *context, Grain grain, uint32_t channels, uint32_t support,
+                            weft_interpolation interpolation)
 {
     weft_image photo = new_grain(grain, 64, 64, channels, 20170612 + support);
     weft_texton_options options = WEFT_TEXTON_OPTIONS_INIT;
@@ -54,7 +57,8 @@ static void write_checksums(const char *folder)
     for (size_t m = 0; m < GOLDEN_MODELS; ++m) {
         weft_model *model = golden_model(context, folder, golden_models[m]);
         for (size_t v = 0; v < GOLDEN_VIEWS; ++v)
-            fprintf(file, "%s %zu %016llx\n", golden_models[m], v, (unsigned long long)golden_checksum(context, model, &golden_views[v]));
+            fprintf(file, "%s %zu %016llx\n", golden_models[m], v,
+                    (unsigned long long)golden_checksum(context, model, &golden_views[v]));
         weft_model_free(model);
     }
     assert_int_equal(fclose(file), 0);
@@ -66,9 +70,12 @@ static const char *folder_argument, *what_argument;
 static void write_all(void **state)
 {
     (void)state;
-    if (strcmp(what_argument, "models") == 0) write_models(folder_argument);
-    else if (strcmp(what_argument, "checksums") == 0) write_checksums(folder_argument);
-    else fail();
+    if (strcmp(what_argument, "models") == 0)
+        write_models(folder_argument);
+    else if (strcmp(what_argument, "checksums") == 0)
+        write_checksums(folder_argument);
+    else
+        fail();
 }
 
 int main(int argc, char **argv)

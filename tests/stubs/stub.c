@@ -1,10 +1,10 @@
 /* One plug-in, compiled once for each way in which a plug-in can be wrong, and for a few in which it is right.
  *
- * It offers one device that paints each pixel with the colour of the first layer's mean: enough to see that libweft asks
- * it, and written against backend.h alone. What differs comes from the macros WEFT_STUB_*. */
-#include <weft/backend.h>
+ * It offers one device that paints each pixel with the colour of the first layer's mean: enough to see that libweft
+ * asks it, and written against backend.h alone. What differs comes from the macros WEFT_STUB_*. */
 #include <stdlib.h>
 #include <string.h>
+#include <weft/backend.h>
 
 #ifndef WEFT_STUB_NAME
 #define WEFT_STUB_NAME "good"
@@ -54,7 +54,8 @@ static void device_info(uint32_t index, weft_device_info *info)
     info->exact = 0;
 }
 
-static weft_status device_open(const weft_host *host, uint32_t index, weft_device_limits *limits, weft_backend_device **device)
+static weft_status device_open(const weft_host *host, uint32_t index, weft_device_limits *limits,
+                               weft_backend_device **device)
 {
     (void)index;
     weft_backend_device *made = host->allocate(host->self, sizeof *made, sizeof(void *));
@@ -72,7 +73,8 @@ static void device_close(weft_backend_device *device)
     device->host->deallocate(device->host->self, device, sizeof *device, sizeof(void *));
 }
 
-static weft_status texture_open(weft_backend_device *device, const weft_program *program, weft_backend_texture **texture)
+static weft_status texture_open(weft_backend_device *device, const weft_program *program,
+                                weft_backend_texture **texture)
 {
     if (!weft_understands_program(program)) return WEFT_ERROR_UNSUPPORTED;
 #ifdef WEFT_STUB_PICKY
@@ -131,7 +133,7 @@ static void texture_close(weft_backend_texture *texture)
 
 #define TABLE                                                                                                          \
     {                                                                                                                  \
-        WEFT_STUB_MAGIC, WEFT_STUB_SIZE, WEFT_STUB_MAJOR, WEFT_STUB_MINOR, NAME, device_count, device_info,   \
+        WEFT_STUB_MAGIC, WEFT_STUB_SIZE, WEFT_STUB_MAJOR, WEFT_STUB_MINOR, NAME, device_count, device_info,            \
             device_open, device_close, texture_open, texture_render, texture_sample, TEXTURE_CLOSE                     \
     }
 
