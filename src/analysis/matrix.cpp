@@ -32,7 +32,8 @@ template <class Function> Matrix function_of(const Eigen& eigen, const Function&
     for (std::uint32_t k = 0; k < result.size; ++k) {
         const double value = f(eigen.values[k]);
         for (std::uint32_t i = 0; i < result.size; ++i)
-            for (std::uint32_t j = 0; j < result.size; ++j) result[i][j] += value * eigen.vectors[i][k] * eigen.vectors[j][k];
+            for (std::uint32_t j = 0; j < result.size; ++j)
+                result[i][j] += value * eigen.vectors[i][k] * eigen.vectors[j][k];
     }
     return result;
 }
@@ -78,7 +79,8 @@ Matrix inverse_square_root(const Matrix& symmetric, double rank_tolerance) noexc
 {
     const Eigen eigen = eigen_of(symmetric);
     const double least = rank_tolerance * *std::max_element(eigen.values, eigen.values + symmetric.size);
-    return function_of(eigen, [least](double value) { return value > least && value > 0 ? 1 / std::sqrt(value) : 0.0; });
+    return function_of(eigen,
+                       [least](double value) { return value > least && value > 0 ? 1 / std::sqrt(value) : 0.0; });
 }
 
 } // namespace weft

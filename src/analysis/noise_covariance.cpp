@@ -6,7 +6,8 @@ namespace weft {
 namespace {
 
 /// to[x] = sum over d of b(d) times the values at distance d from x; pair(x, d) is the sum of both of them.
-template <class Pair> void filter(const SplineSamples& samples, std::uint32_t count, double* to, const Pair& pair) noexcept
+template <class Pair>
+void filter(const SplineSamples& samples, std::uint32_t count, double* to, const Pair& pair) noexcept
 {
     for (std::uint32_t x = 0; x < count; ++x) {
         double sum = samples.values[0] * pair(x, 0u);
@@ -16,7 +17,8 @@ template <class Pair> void filter(const SplineSamples& samples, std::uint32_t co
 }
 
 /// Row y of b * alpha, one channel; `between` is room for a row.
-void filter_row(const SplineSamples& samples, const Planes& planes, std::uint32_t c, std::uint32_t y, double* between, double* to) noexcept
+void filter_row(const SplineSamples& samples, const Planes& planes, std::uint32_t c, std::uint32_t y, double* between,
+                double* to) noexcept
 {
     filter(samples, planes.width, between, [&](std::uint32_t x, std::uint32_t d) {
         const auto value = [&](std::uint32_t row) { return static_cast<double>(planes.row(c, row)[x]); };

@@ -24,8 +24,9 @@ Complex noise_at(const Spectra& target, std::uint64_t seed, std::uint32_t c, std
 } // namespace
 
 Projection::Projection(Core& core, const Spectra& target, const SplineSamples& samples, std::uint32_t support)
-    : core_(core), target_(target), support_(support), runs_(std::min({core.parallel.width(), target.blocks(), most_runs})),
-      rows_(&core.memory, target.width), columns_(&core.memory, target.height),
+    : core_(core), target_(target), support_(support),
+      runs_(std::min({core.parallel.width(), target.blocks(), most_runs})), rows_(&core.memory, target.width),
+      columns_(&core.memory, target.height),
       b_x_(spline_spectrum(&core.memory, samples, target.width, target.blocks() * fft_lanes)),
       b_y_(spline_spectrum(&core.memory, samples, target.height, target.height)),
       half_(&core.memory, std::size_t{target.blocks()} * target.count * support * fft_lanes),
@@ -99,7 +100,8 @@ void Projection::start(std::uint64_t seed, Planes& result)
         for (std::uint32_t c = 0; c < target_.count; ++c)
             for (std::uint32_t y = 0; y < target_.height; ++y)
                 for (std::uint32_t i = 0; i < fft_lanes; ++i)
-                    block[c * target_.block_size() + y * fft_lanes + i] = noise_at(target_, seed, c, b * fft_lanes + i, y);
+                    block[c * target_.block_size() + y * fft_lanes + i] =
+                        noise_at(target_, seed, c, b * fft_lanes + i, y);
         project_rows(target_, b, b_x_.data(), b_y_.data(), true, 0, block);
         columns_backward(b, block);
     });

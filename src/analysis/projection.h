@@ -25,7 +25,8 @@ public:
 
     /// `result` <- what Algorithm 1 makes of white noise over the whole of Omega, cut to the support.
     void start(std::uint64_t seed, Planes& result);
-    /// `result` <- the form's value cut to the support. s = T*a^ / sqrt(|T*a^|^2 + smoothing^2), a phase when smoothing is 0.
+    /// `result` <- the form's value cut to the support. s = T*a^ / sqrt(|T*a^|^2 + smoothing^2), a phase when smoothing
+    /// is 0.
     void apply(Form form, float smoothing, const Planes& coefficients, Planes& result);
     ModelSums measure(const Planes& coefficients);
 

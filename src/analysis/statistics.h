@@ -12,8 +12,8 @@ struct Centring {
 };
 Centring centre(Core& core, Planes& planes);
 
-/// One block's share in `unit` times the sum over all frequencies of real(v v*), v the channels' values in `block`, which
-/// is laid out as block `b` of `spectra`. Only the upper half is filled.
+/// One block's share in `unit` times the sum over all frequencies of real(v v*), v the channels' values in `block`,
+/// which is laid out as block `b` of `spectra`. Only the upper half is filled.
 Matrix block_covariance(const Spectra& spectra, std::uint32_t b, const Complex* block, double unit) noexcept;
 
 /// The sum of matrices of which only upper halves are filled; both halves of it are.

@@ -48,7 +48,9 @@ public:
     /// A number at the text's very end may have been cut short.
     void require_more() const
     {
-        if (at_ == end_) throw Error(WEFT_ERROR_FORMAT, function, "the text ends within line ", line_, ", where a number may be cut short");
+        if (at_ == end_)
+            throw Error(WEFT_ERROR_FORMAT, function, "the text ends within line ", line_,
+                        ", where a number may be cut short");
     }
     std::uint64_t line() const noexcept { return line_; }
     std::size_t left() const noexcept { return static_cast<std::size_t>(end_ - at_); }
@@ -73,7 +75,8 @@ bool is_framed(const Planes& planes) noexcept
         for (std::uint32_t y = 0; y < planes.height; ++y) {
             const float* row = planes.row(c, y);
             const bool whole = y == 0 || y + 1 == planes.height;
-            if (whole ? !std::all_of(row, row + planes.width, is_zero) : row[0] != 0 || row[planes.width - 1] != 0) return false;
+            if (whole ? !std::all_of(row, row + planes.width, is_zero) : row[0] != 0 || row[planes.width - 1] != 0)
+                return false;
         }
     return true;
 }
@@ -82,7 +85,8 @@ Planes without_frame(Core& core, const Planes& planes)
 {
     Planes inner(&core.memory, planes.width - 2, planes.height - 2, planes.count, Array<float>::unset);
     for (std::uint32_t c = 0; c < planes.count; ++c)
-        for (std::uint32_t y = 0; y < inner.height; ++y) std::copy_n(planes.row(c, y + 1) + 1, inner.width, inner.row(c, y));
+        for (std::uint32_t y = 0; y < inner.height; ++y)
+            std::copy_n(planes.row(c, y + 1) + 1, inner.width, inner.row(c, y));
     return inner;
 }
 
@@ -102,7 +106,8 @@ std::uint32_t read_side(Tokens& tokens, const char* what)
 {
     const std::uint32_t side = tokens.whole_number(what);
     if (side < 1 || side > most_framed_side)
-        throw Error(WEFT_ERROR_FORMAT, function, "line ", tokens.line(), ": ", what, " is ", side, ", not 1..", most_framed_side);
+        throw Error(WEFT_ERROR_FORMAT, function, "line ", tokens.line(), ": ", what, " is ", side, ", not 1..",
+                    most_framed_side);
     return side;
 }
 
@@ -111,9 +116,11 @@ std::uint32_t read_side(Tokens& tokens, const char* what)
 Model read_texton_text(Core& core, const char* text, std::size_t size)
 {
     Tokens tokens(text, size);
-    if (tokens.next("TEXTON") != "TEXTON") throw Error(WEFT_ERROR_FORMAT, function, "the text does not begin with TEXTON");
+    if (tokens.next("TEXTON") != "TEXTON")
+        throw Error(WEFT_ERROR_FORMAT, function, "the text does not begin with TEXTON");
     const std::uint32_t version = tokens.whole_number("the format's version");
-    if (version != 1) throw Error(WEFT_ERROR_FORMAT, function, "the format's version is ", version, ", only 1 is known");
+    if (version != 1)
+        throw Error(WEFT_ERROR_FORMAT, function, "the format's version is ", version, ", only 1 is known");
     const std::uint32_t order = tokens.whole_number("the order of the interpolation");
     if (order != 0 && order != 1 && order != 3 && order != 5)
         throw Error(WEFT_ERROR_FORMAT, function, "the order of the interpolation is ", order, ", not 0, 1, 3 or 5");
