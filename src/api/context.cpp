@@ -10,8 +10,12 @@ namespace {
 /// The caller's allocator as the standard library wants it: for the core alone, whose memory cannot lie in itself.
 template <class T> struct Bare_allocator {
     using value_type = T;
-    Bare_allocator(const weft_allocator& allocator, std::size_t& counter) noexcept : table(allocator), bytes(&counter) {}
-    template <class U> Bare_allocator(const Bare_allocator<U>& other) noexcept : table(other.table), bytes(other.bytes) {}
+    Bare_allocator(const weft_allocator& allocator, std::size_t& counter) noexcept : table(allocator), bytes(&counter)
+    {
+    }
+    template <class U> Bare_allocator(const Bare_allocator<U>& other) noexcept : table(other.table), bytes(other.bytes)
+    {
+    }
 
     T* allocate(std::size_t count)
     {
@@ -20,7 +24,10 @@ template <class T> struct Bare_allocator {
         *bytes = count * sizeof(T);
         return static_cast<T*>(memory);
     }
-    void deallocate(T* memory, std::size_t count) noexcept { table.deallocate(table.user, memory, count * sizeof(T), alignof(T)); }
+    void deallocate(T* memory, std::size_t count) noexcept
+    {
+        table.deallocate(table.user, memory, count * sizeof(T), alignof(T));
+    }
     template <class U> bool operator==(const Bare_allocator<U>&) const noexcept { return true; }
     template <class U> bool operator!=(const Bare_allocator<U>&) const noexcept { return false; }
 
@@ -49,8 +56,8 @@ weft_status weft_context_create(const weft_context_options* given, weft_context*
         check(options, function);
         std::size_t own = 0;
         const Bare_allocator<Core> allocator(options.allocator ? *options.allocator : malloc_allocator, own);
-        const auto core =
-            std::allocate_shared<Core>(allocator, options.allocator, options.memory_limit, options.threads, options.executor);
+        const auto core = std::allocate_shared<Core>(allocator, options.allocator, options.memory_limit,
+                                                     options.threads, options.executor);
         core->memory.charge(own);
         const Device_choice choice = Registry::instance().choose(options.device, function);
         auto device = make_in<Device>(core, core->memory, choice, function);

@@ -16,11 +16,13 @@ void check_result(const weft_image* image, const weft_image* result, const char*
 {
     check_image(image, function, "image");
     check_image(result, function, argument);
-    require(result->format == WEFT_FORMAT_F32, function, ": ", argument, "->format is ", result->format, ", not WEFT_FORMAT_F32");
-    require(result->channels == image->channels, function, ": ", argument, "->channels is ", result->channels, ", the image has ",
-            image->channels);
+    require(result->format == WEFT_FORMAT_F32, function, ": ", argument, "->format is ", result->format,
+            ", not WEFT_FORMAT_F32");
+    require(result->channels == image->channels, function, ": ", argument, "->channels is ", result->channels,
+            ", the image has ", image->channels);
     require(result->width <= image->width && result->height <= image->height, function, ": ", argument,
-            "->width and ->height are ", result->width, " x ", result->height, ", the image is ", image->width, " x ", image->height);
+            "->width and ->height are ", result->width, " x ", result->height, ", the image is ", image->width, " x ",
+            image->height);
 }
 
 } // namespace
@@ -45,33 +47,36 @@ weft_status weft_autocovariance(weft_context* context, const weft_image* image, 
     });
 }
 
-weft_status weft_histogram(weft_context* context, const weft_image* image, float low, float high, uint32_t bins, uint64_t* counts) noexcept
+weft_status weft_histogram(weft_context* context, const weft_image* image, float low, float high, uint32_t bins,
+                           uint64_t* counts) noexcept
 {
     constexpr char function[] = "weft_histogram";
     return guard(function, [&] {
         require(context, function, ": context is NULL");
         check_image(image, function, "image");
-        require(std::isfinite(low) && std::isfinite(high) && low < high, function, ": low is ", low, " and high is ", high,
-                ", not finite and ascending");
+        require(std::isfinite(low) && std::isfinite(high) && low < high, function, ": low is ", low, " and high is ",
+                high, ", not finite and ascending");
         require(bins >= 1 && bins <= 65536, function, ": bins is ", bins, ", not 1..65536");
         require(counts, function, ": counts is NULL");
         histogram(*context->core, *image, low, high, bins, counts);
     });
 }
 
-weft_status weft_compare(weft_context* context, const weft_image* exemplar, const weft_image* output, const weft_compare_options* given,
-                         weft_progress progress, void* user, weft_comparison* comparison) noexcept
+weft_status weft_compare(weft_context* context, const weft_image* exemplar, const weft_image* output,
+                         const weft_compare_options* given, weft_progress progress, void* user,
+                         weft_comparison* comparison) noexcept
 {
     constexpr char function[] = "weft_compare";
     return guard(function, [&] {
         require(context, function, ": context is NULL");
         check_image(exemplar, function, "exemplar");
         check_image(output, function, "output");
-        require(exemplar->channels == output->channels, function, ": output->channels is ", output->channels, ", the exemplar has ",
-                exemplar->channels);
+        require(exemplar->channels == output->channels, function, ": output->channels is ", output->channels,
+                ", the exemplar has ", exemplar->channels);
         for (const weft_image* image : {exemplar, output})
-            require(image->width >= 16 && image->height >= 16, function, ": ", image == exemplar ? "exemplar" : "output",
-                    "->width and ->height are ", image->width, " x ", image->height, ", less than 16 x 16");
+            require(image->width >= 16 && image->height >= 16, function, ": ",
+                    image == exemplar ? "exemplar" : "output", "->width and ->height are ", image->width, " x ",
+                    image->height, ", less than 16 x 16");
         const auto options = read_options(given, function, "options");
         check_zero(options.zero, function, "options");
         const std::uint32_t size = checked_size(comparison, function, "comparison");

@@ -52,7 +52,8 @@ weft_status weft_model_load(weft_context* context, const void* bytes, size_t siz
         require(context, function, ": context is NULL");
         require(bytes, function, ": bytes is NULL");
         require(model, function, ": model is NULL");
-        *model = make_model(*context, read_model(&context->core->memory, static_cast<const unsigned char*>(bytes), size));
+        *model =
+            make_model(*context, read_model(&context->core->memory, static_cast<const unsigned char*>(bytes), size));
     });
 }
 
@@ -132,10 +133,12 @@ weft_status weft_model_part_read(const weft_model* model, uint32_t index, const 
         check_part(model, index, function);
         check_image(image, function, "image");
         const Planes& planes = planes_of(model->loaded.object->model);
-        require(image->format == WEFT_FORMAT_F32, function, ": image->format is ", image->format, ", not WEFT_FORMAT_F32");
-        require(image->channels == planes.count, function, ": image->channels is ", image->channels, ", the part has ", planes.count);
-        require(image->width == planes.width && image->height == planes.height, function, ": image is ", image->width, " x ",
-                image->height, ", the part is ", planes.width, " x ", planes.height);
+        require(image->format == WEFT_FORMAT_F32, function, ": image->format is ", image->format,
+                ", not WEFT_FORMAT_F32");
+        require(image->channels == planes.count, function, ": image->channels is ", image->channels, ", the part has ",
+                planes.count);
+        require(image->width == planes.width && image->height == planes.height, function, ": image is ", image->width,
+                " x ", image->height, ", the part is ", planes.width, " x ", planes.height);
         write_window(*image, 0, 0, planes.width, planes.height, planes.values.data(), planes.width, planes.height);
     });
 }

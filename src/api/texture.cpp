@@ -17,12 +17,13 @@ weft_status weft_texture_create(weft_context* context, const weft_model* model, 
         const Model& known = model->loaded.object->model;
         const auto options = complete_options(known, read_options(given, function, "options"));
         auto made = make_in<Texture>(context->core, *context->core, *context->device.object, known, options);
-        *texture = make_handle<weft_texture>(context->core, context->device, model->loaded, In_core<const Texture>{made.core, made.object});
+        *texture = make_handle<weft_texture>(context->core, context->device, model->loaded,
+                                             In_core<const Texture>{made.core, made.object});
     });
 }
 
-weft_status weft_texture_render(const weft_texture* texture, int64_t x, int64_t y, uint32_t level, weft_progress progress, void* user,
-                                const weft_image* image) noexcept
+weft_status weft_texture_render(const weft_texture* texture, int64_t x, int64_t y, uint32_t level,
+                                weft_progress progress, void* user, const weft_image* image) noexcept
 {
     constexpr char function[] = "weft_texture_render";
     return guard(function, [&] {
@@ -32,7 +33,8 @@ weft_status weft_texture_render(const weft_texture* texture, int64_t x, int64_t 
     });
 }
 
-weft_status weft_texture_sample(const weft_texture* texture, size_t count, const weft_point* points, float* out) noexcept
+weft_status weft_texture_sample(const weft_texture* texture, size_t count, const weft_point* points,
+                                float* out) noexcept
 {
     constexpr char function[] = "weft_texture_sample";
     return guard(function, [&] {

@@ -7,7 +7,10 @@ namespace {
 
 thread_local char sentence[192] = "";
 
-void* allocate(void* self, std::size_t size, std::size_t alignment) noexcept { return static_cast<Memory*>(self)->take(size, alignment); }
+void* allocate(void* self, std::size_t size, std::size_t alignment) noexcept
+{
+    return static_cast<Memory*>(self)->take(size, alignment);
+}
 
 void deallocate(void* self, void* memory, std::size_t size, std::size_t alignment) noexcept
 {
@@ -23,7 +26,10 @@ void error(void*, const char* text) noexcept
 
 } // namespace
 
-Host::Host(Memory& memory) noexcept : table_{sizeof(weft_host), WEFT_BACKEND_MINOR, &memory, allocate, deallocate, error} {}
+Host::Host(Memory& memory) noexcept
+    : table_{sizeof(weft_host), WEFT_BACKEND_MINOR, &memory, allocate, deallocate, error}
+{
+}
 
 const char* backend_sentence() noexcept { return sentence; }
 

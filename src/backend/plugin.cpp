@@ -24,8 +24,8 @@ bool is_name(const std::string& name)
 
 bool has_hole(const weft_backend& table)
 {
-    return !table.device_count || !table.device_info || !table.device_open || !table.device_close || !table.texture_open ||
-           !table.texture_render || !table.texture_sample || !table.texture_close;
+    return !table.device_count || !table.device_info || !table.device_open || !table.device_close ||
+           !table.texture_open || !table.texture_render || !table.texture_sample || !table.texture_close;
 }
 
 } // namespace
@@ -47,10 +47,12 @@ weft_backend adopt(const weft_backend& theirs, const std::string& name)
     // magic, size, major and minor sit at the same place in every version there will ever be.
     if (theirs.magic != WEFT_BACKEND_MAGIC) refuse("its table does not begin with the magic number");
     if (theirs.major != WEFT_BACKEND_MAJOR)
-        throw Error(WEFT_ERROR_UNSUPPORTED, "it speaks ABI ", theirs.major, ", this libweft speaks ", WEFT_BACKEND_MAJOR);
+        throw Error(WEFT_ERROR_UNSUPPORTED, "it speaks ABI ", theirs.major, ", this libweft speaks ",
+                    WEFT_BACKEND_MAJOR);
     constexpr std::size_t first_release = offsetof(weft_backend, texture_close) + sizeof theirs.texture_close;
     if (theirs.size < first_release)
-        throw Error(WEFT_ERROR_DEVICE, "its table is ", theirs.size, " bytes, shorter than ABI ", WEFT_BACKEND_MAJOR, ".1");
+        throw Error(WEFT_ERROR_DEVICE, "its table is ", theirs.size, " bytes, shorter than ABI ", WEFT_BACKEND_MAJOR,
+                    ".1");
     weft_backend ours{};
     std::memcpy(&ours, &theirs, std::min<std::size_t>(theirs.size, sizeof ours));
     ours.size = sizeof ours;

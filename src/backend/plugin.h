@@ -1,7 +1,7 @@
 /// Path -> checked table, or an Error whose sentence says why it was refused.
 #pragma once
-#include <weft/backend.h>
 #include <string>
+#include <weft/backend.h>
 
 namespace weft {
 

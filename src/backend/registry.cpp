@@ -29,7 +29,8 @@ Registry& Registry::instance()
 {
     if (Registry* made = registry.load(std::memory_order_acquire)) return *made;
     const std::lock_guard lock(making);
-    if (!registry.load(std::memory_order_relaxed)) registry.store(std::unique_ptr<Registry>(new Registry).release(), std::memory_order_release);
+    if (!registry.load(std::memory_order_relaxed))
+        registry.store(std::unique_ptr<Registry>(new Registry).release(), std::memory_order_release);
     return *registry.load(std::memory_order_relaxed);
 }
 
@@ -68,10 +69,12 @@ void Registry::add(const std::string& path)
         fresh.status = error.status();
         fresh.sentence = error.what();
     }
-    const auto before = std::find_if(backends_.begin(), backends_.end(), [&](const Backend& b) { return b.path == path; });
+    const auto before =
+        std::find_if(backends_.begin(), backends_.end(), [&](const Backend& b) { return b.path == path; });
     Backend& listed = before == backends_.end() ? backends_.emplace_back() : *before;
     listed = std::move(fresh);
-    if (listed.status != WEFT_OK) throw Error(listed.status, "refused ", path.substr(path.rfind('/') + 1), ": ", listed.sentence);
+    if (listed.status != WEFT_OK)
+        throw Error(listed.status, "refused ", path.substr(path.rfind('/') + 1), ": ", listed.sentence);
 }
 
 std::uint32_t Registry::count(Backend& backend)
@@ -161,7 +164,8 @@ Device_choice Registry::choose(const char* name, const char* function)
         choice = {backend->table, i, info(*backend, i)};
         if (full != choice.info.name) continue;
         if (choice.info.status == WEFT_OK) return choice;
-        throw Error(WEFT_ERROR_DEVICE, function, ": options->device \"", name, "\" cannot be used: ", choice.info.description);
+        throw Error(WEFT_ERROR_DEVICE, function, ": options->device \"", name,
+                    "\" cannot be used: ", choice.info.description);
     }
     fail(name, function);
 }

@@ -1,9 +1,9 @@
 /// The process's list of backends and their devices, usable ones and refused ones.
 #pragma once
-#include <weft/backend.h>
 #include <deque>
 #include <mutex>
 #include <string>
+#include <weft/backend.h>
 
 namespace weft {
 

@@ -1,11 +1,11 @@
 /// The directories of plug-ins: never the working directory, never one that another variable names.
 #include "backend/search.h"
-#include <weft/weft.h>
 #include <algorithm>
 #include <cstdlib>
 #include <dirent.h>
 #include <dlfcn.h>
 #include <memory>
+#include <weft/weft.h>
 
 namespace weft {
 
@@ -40,7 +40,8 @@ void list(const std::string& directory, std::vector<std::string>& paths)
     std::vector<std::string> found;
     while (const dirent* entry = readdir(open.get())) {
         const std::string file = entry->d_name;
-        if (file.compare(0, 13, "weft_backend_") == 0 && file.size() > 3 && file.compare(file.size() - 3, 3, ".so") == 0)
+        if (file.compare(0, 13, "weft_backend_") == 0 && file.size() > 3 &&
+            file.compare(file.size() - 3, 3, ".so") == 0)
             found.push_back(directory + (directory.back() == '/' ? "" : "/") + file);
     }
     std::sort(found.begin(), found.end());

@@ -16,13 +16,16 @@ public:
     enum Fill { zeroed, unset };
     Array() = default;
     Array(std::pmr::memory_resource* memory, std::size_t size, Fill fill = zeroed)
-        : memory_(memory), size_(size), data_(size ? static_cast<T*>(memory->allocate(bytes_of(size), alignment)) : nullptr)
+        : memory_(memory), size_(size),
+          data_(size ? static_cast<T*>(memory->allocate(bytes_of(size), alignment)) : nullptr)
     {
         if (fill == zeroed)
             for (std::size_t i = 0; i < size; ++i) data_[i] = T{};
     }
     Array(Array&& other) noexcept
-        : memory_(other.memory_), size_(std::exchange(other.size_, 0)), data_(std::exchange(other.data_, nullptr)) {}
+        : memory_(other.memory_), size_(std::exchange(other.size_, 0)), data_(std::exchange(other.data_, nullptr))
+    {
+    }
     Array& operator=(Array&& other) noexcept
     {
         std::swap(memory_, other.memory_);
@@ -69,8 +72,11 @@ struct Planes {
     Array<float> values;
 
     Planes() = default;
-    Planes(std::pmr::memory_resource* memory, std::uint32_t w, std::uint32_t h, std::uint32_t n, Array<float>::Fill fill = Array<float>::zeroed)
-        : width(w), height(h), count(n), values(memory, std::size_t{w} * h * n, fill) {}
+    Planes(std::pmr::memory_resource* memory, std::uint32_t w, std::uint32_t h, std::uint32_t n,
+           Array<float>::Fill fill = Array<float>::zeroed)
+        : width(w), height(h), count(n), values(memory, std::size_t{w} * h * n, fill)
+    {
+    }
 
     std::size_t area() const noexcept { return std::size_t{width} * height; }
     float* plane(std::size_t c) noexcept { return values.data() + c * area(); }

@@ -25,7 +25,8 @@ public:
     }
     const unsigned char* take(std::uint64_t count)
     {
-        if (count > remaining_) throw Error(WEFT_ERROR_FORMAT, count, " bytes should follow, but only ", remaining_, " do");
+        if (count > remaining_)
+            throw Error(WEFT_ERROR_FORMAT, count, " bytes should follow, but only ", remaining_, " do");
         const unsigned char* here = bytes_;
         bytes_ += count;
         remaining_ -= static_cast<std::size_t>(count);

@@ -6,8 +6,11 @@
 namespace weft {
 
 struct Core {
-    Core(const weft_allocator* allocator, std::uint64_t memory_limit, std::uint32_t threads, const weft_executor* executor)
-        : memory(allocator, memory_limit), parallel(threads, executor) {}
+    Core(const weft_allocator* allocator, std::uint64_t memory_limit, std::uint32_t threads,
+         const weft_executor* executor)
+        : memory(allocator, memory_limit), parallel(threads, executor)
+    {
+    }
 
     Memory memory;
     Parallel parallel;

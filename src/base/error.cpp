@@ -9,8 +9,9 @@ thread_local char message[256] = "no error"; // a plain array: nothing to destro
 
 const char* status_name(weft_status status) noexcept
 {
-    static constexpr const char* names[] = {"WEFT_OK",           "WEFT_ERROR_ARGUMENT",    "WEFT_ERROR_MEMORY", "WEFT_ERROR_CANCELLED",
-                                            "WEFT_ERROR_FORMAT", "WEFT_ERROR_UNSUPPORTED", "WEFT_ERROR_DEVICE", "WEFT_ERROR_INTERNAL"};
+    static constexpr const char* names[] = {
+        "WEFT_OK",           "WEFT_ERROR_ARGUMENT",    "WEFT_ERROR_MEMORY", "WEFT_ERROR_CANCELLED",
+        "WEFT_ERROR_FORMAT", "WEFT_ERROR_UNSUPPORTED", "WEFT_ERROR_DEVICE", "WEFT_ERROR_INTERNAL"};
     return status <= 0 && status >= WEFT_ERROR_INTERNAL ? names[-status] : "no status of libweft";
 }
 

@@ -1,12 +1,12 @@
 /// The one exception of libweft: a status and a sentence that names the function, the argument and the number.
 #pragma once
-#include <weft/weft.h>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <exception>
 #include <string_view>
 #include <type_traits>
+#include <weft/weft.h>
 
 namespace weft {
 
@@ -36,7 +36,10 @@ private:
 
 class Error : public std::exception {
 public:
-    template <class... Parts> explicit Error(weft_status status, const Parts&... parts) noexcept : status_(status), sentence_(parts...) {}
+    template <class... Parts>
+    explicit Error(weft_status status, const Parts&... parts) noexcept : status_(status), sentence_(parts...)
+    {
+    }
     weft_status status() const noexcept { return status_; }
     const char* what() const noexcept override { return sentence_.c_str(); }
 

@@ -13,12 +13,14 @@ void check_image(const weft_image* image, const char* function, const char* argu
 std::size_t bytes_per_value(weft_format format) noexcept;
 std::int64_t stride_of(const weft_image& image) noexcept; ///< in bytes, never 0
 
-/// A checked image as planes of floats; integers become value / 255 or / 65535. Throws if a float is not finite, or beyond 2^64.
-Planes read_image(const weft_image& image, std::pmr::memory_resource* memory, Parallel& parallel, const char* function, const char* argument);
+/// A checked image as planes of floats; integers become value / 255 or / 65535. Throws if a float is not finite, or
+/// beyond 2^64.
+Planes read_image(const weft_image& image, std::pmr::memory_resource* memory, Parallel& parallel, const char* function,
+                  const char* argument);
 
 /// Writes `rows` rows of planar floats (plane c, row y at source + (c * plane_rows + y) * stride) to the image from
 /// (x, y) on: F32 as they are, integers rounded to nearest and clamped.
-void write_window(const weft_image& image, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t rows, const float* source,
-                  std::size_t stride, std::size_t plane_rows) noexcept;
+void write_window(const weft_image& image, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t rows,
+                  const float* source, std::size_t stride, std::size_t plane_rows) noexcept;
 
 } // namespace weft

@@ -1,4 +1,5 @@
-/// Planes of floats into the caller's interleaved pixels: a block of pixels is rounded plane by plane, then interleaved.
+/// Planes of floats into the caller's interleaved pixels: a block of pixels is rounded plane by plane, then
+/// interleaved.
 #include "base/image.h"
 #include <algorithm>
 #include <cstring>
@@ -56,7 +57,8 @@ void store_three(const Rows& rows, std::uint32_t count, std::uint16_t* to) noexc
 void store_four(const Rows& rows, std::uint32_t count, std::uint8_t* to) noexcept
 {
     std::uint32_t words[block];
-    for (std::uint32_t i = 0; i < count; ++i) words[i] = (rows[0][i] | rows[1][i] << 8) | (rows[2][i] << 16 | rows[3][i] << 24);
+    for (std::uint32_t i = 0; i < count; ++i)
+        words[i] = (rows[0][i] | rows[1][i] << 8) | (rows[2][i] << 16 | rows[3][i] << 24);
     std::memcpy(to, words, std::size_t{count} * 4);
 }
 
@@ -73,8 +75,9 @@ void store_four(const Rows& rows, std::uint32_t count, std::uint16_t* to) noexce
 constexpr bool little_endian = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__;
 
 /// One to four channels whose pixels are put together from words; the rest of the row is left.
-template <class Value> std::uint32_t write_words(Value* to, const float* from, std::size_t plane, std::uint32_t width, std::uint32_t channels,
-                                                 float most) noexcept
+template <class Value>
+std::uint32_t write_words(Value* to, const float* from, std::size_t plane, std::uint32_t width, std::uint32_t channels,
+                          float most) noexcept
 {
     if (!little_endian || channels < 3 || channels > 4) return 0;
     const std::uint32_t whole = channels == 3 ? width - 1 : width;
@@ -91,7 +94,8 @@ template <class Value> std::uint32_t write_words(Value* to, const float* from, s
 }
 
 template <class Value>
-void write_integers(Value* to, const float* from, std::size_t plane, std::uint32_t width, std::uint32_t channels) noexcept
+void write_integers(Value* to, const float* from, std::size_t plane, std::uint32_t width,
+                    std::uint32_t channels) noexcept
 {
     constexpr float most = sizeof(Value) == 1 ? 255.0F : 65535.0F;
     std::uint32_t values[block];
@@ -103,12 +107,14 @@ void write_integers(Value* to, const float* from, std::size_t plane, std::uint32
             if (channels == 1)
                 for (std::uint32_t i = 0; i < count; ++i) pixel[i] = static_cast<Value>(values[i]);
             else
-                for (std::uint32_t i = 0; i < count; ++i) pixel[std::size_t{i} * channels] = static_cast<Value>(values[i]);
+                for (std::uint32_t i = 0; i < count; ++i)
+                    pixel[std::size_t{i} * channels] = static_cast<Value>(values[i]);
         }
     }
 }
 
-template <std::uint32_t Channels> void interleave(float* to, const float* from, std::size_t plane, std::uint32_t width) noexcept
+template <std::uint32_t Channels>
+void interleave(float* to, const float* from, std::size_t plane, std::uint32_t width) noexcept
 {
     for (std::uint32_t x = 0; x < width; ++x)
         for (std::uint32_t c = 0; c < Channels; ++c) to[std::size_t{x} * Channels + c] = from[c * plane + x];
@@ -127,13 +133,14 @@ void write_floats(float* to, const float* from, std::size_t plane, std::uint32_t
     else
         for (std::uint32_t begin = 0; begin < width; begin += block)
             for (std::uint32_t c = 0; c < channels; ++c)
-                for (std::uint32_t x = begin; x < std::min(width, begin + block); ++x) to[std::size_t{x} * channels + c] = from[c * plane + x];
+                for (std::uint32_t x = begin; x < std::min(width, begin + block); ++x)
+                    to[std::size_t{x} * channels + c] = from[c * plane + x];
 }
 
 } // namespace
 
-void write_window(const weft_image& image, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t rows, const float* source,
-                  std::size_t stride, std::size_t plane_rows) noexcept
+void write_window(const weft_image& image, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t rows,
+                  const float* source, std::size_t stride, std::size_t plane_rows) noexcept
 {
     const std::size_t plane = plane_rows * stride;
     const std::size_t pixel = image.channels * bytes_per_value(image.format);

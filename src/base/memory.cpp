@@ -61,7 +61,9 @@ void Memory::give(void* memory, std::size_t bytes, std::size_t alignment) noexce
 
 void Memory::refuse(std::uint64_t bytes) const
 {
-    if (bytes > room()) throw Error(WEFT_ERROR_MEMORY, bytes, " bytes are needed beside the ", used(), " held; memory_limit is ", limit_);
+    if (bytes > room())
+        throw Error(WEFT_ERROR_MEMORY, bytes, " bytes are needed beside the ", used(), " held; memory_limit is ",
+                    limit_);
     throw Error(WEFT_ERROR_MEMORY, "the allocator refused ", bytes, " bytes");
 }
 

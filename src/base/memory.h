@@ -1,8 +1,8 @@
 /// Memory whose size depends on data: the caller's allocator or malloc, counted, with a limit.
 #pragma once
-#include <weft/weft.h>
 #include <atomic>
 #include <memory_resource>
+#include <weft/weft.h>
 
 namespace weft {
 
@@ -13,7 +13,8 @@ extern const weft_allocator malloc_allocator;
 class Memory final : public std::pmr::memory_resource {
 public:
     Memory(const weft_allocator* allocator, std::uint64_t limit) noexcept; ///< NULL: malloc; 0: 4 GiB
-    void charge(std::uint64_t bytes); ///< counts, for good, what was allocated elsewhere: that which this object lies in
+    void
+    charge(std::uint64_t bytes); ///< counts, for good, what was allocated elsewhere: that which this object lies in
     std::uint64_t used() const noexcept { return used_.load(std::memory_order_relaxed); }
     std::uint64_t limit() const noexcept { return limit_; }
     std::uint64_t room() const noexcept; ///< what the limit leaves
@@ -26,7 +27,10 @@ private:
     [[noreturn]] void refuse(std::uint64_t bytes) const;
     bool reserve(std::uint64_t bytes) noexcept;
     void* do_allocate(std::size_t bytes, std::size_t alignment) override;
-    void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override { give(memory, bytes, alignment); }
+    void do_deallocate(void* memory, std::size_t bytes, std::size_t alignment) override
+    {
+        give(memory, bytes, alignment);
+    }
     bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
 
     weft_allocator allocator_;

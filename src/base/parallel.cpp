@@ -15,7 +15,8 @@ std::uint32_t available_threads() noexcept
 #ifdef __linux__
     cpu_set_t set;
     CPU_ZERO(&set);
-    if (sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 0) return static_cast<std::uint32_t>(CPU_COUNT(&set));
+    if (sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 0)
+        return static_cast<std::uint32_t>(CPU_COUNT(&set));
 #endif
     const long online = sysconf(_SC_NPROCESSORS_ONLN);
     return online > 0 ? static_cast<std::uint32_t>(online) : 1;
@@ -50,7 +51,8 @@ void run_body(void* argument, std::uint32_t i) { Bodies::run(argument, i); }
 
 } // namespace
 
-Parallel::Parallel(std::uint32_t threads, const weft_executor* executor) noexcept : threads_(threads ? threads : available_threads())
+Parallel::Parallel(std::uint32_t threads, const weft_executor* executor) noexcept
+    : threads_(threads ? threads : available_threads())
 {
     if (executor) executor_ = *executor;
 }

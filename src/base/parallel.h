@@ -1,9 +1,9 @@
 /// Fork and join over an index: libweft's own pool, or the caller's executor, or the calling thread alone.
 #pragma once
-#include <weft/weft.h>
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <weft/weft.h>
 
 namespace weft {
 

@@ -24,7 +24,9 @@ struct Pool::Job {
     }
 };
 
-Pool::Pool(std::uint32_t threads) : process_(getpid()), wanted_((threads < most_threads ? threads : most_threads) - 1) {}
+Pool::Pool(std::uint32_t threads) : process_(getpid()), wanted_((threads < most_threads ? threads : most_threads) - 1)
+{
+}
 
 Pool::~Pool()
 {

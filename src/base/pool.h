@@ -37,9 +37,9 @@ private:
 
     std::mutex mutex_;
     std::condition_variable work_, done_;
-    Job* job_ = nullptr;         ///< guarded by mutex_, like the rest
-    std::uint64_t number_ = 0;   ///< of the job: a thread never takes one twice
-    std::uint32_t working_ = 0;  ///< threads inside the job
+    Job* job_ = nullptr;        ///< guarded by mutex_, like the rest
+    std::uint64_t number_ = 0;  ///< of the job: a thread never takes one twice
+    std::uint32_t working_ = 0; ///< threads inside the job
     bool stop_ = false;
 
     std::uint32_t count_ = 0;

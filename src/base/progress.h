@@ -10,8 +10,8 @@ public:
     Progress() = default; ///< reports to nobody
     Progress(weft_progress report, void* user) noexcept : report_(report), user_(user) {}
 
-    /// Reports that `done` (0..1) of this share is finished; throws Error(WEFT_ERROR_CANCELLED) if the caller says stop.
-    /// Only on the thread that called libweft.
+    /// Reports that `done` (0..1) of this share is finished; throws Error(WEFT_ERROR_CANCELLED) if the caller says
+    /// stop. Only on the thread that called libweft.
     void at(double done) const
     {
         if (report_ && report_(user_, static_cast<float>(from_ + (to_ - from_) * done)) != 0)

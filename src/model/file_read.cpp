@@ -23,10 +23,12 @@ Header read_header(Reader& file)
     const std::size_t size = file.remaining();
     const unsigned char* begin = file.take(file::header_size);
     Reader reader(begin, file::header_size);
-    demand(std::memcmp(reader.take(sizeof file::magic), file::magic, sizeof file::magic) == 0, "the bytes do not begin as a model's");
+    demand(std::memcmp(reader.take(sizeof file::magic), file::magic, sizeof file::magic) == 0,
+           "the bytes do not begin as a model's");
     const std::uint16_t major = reader.u16();
     if (major > file::major)
-        throw Error(WEFT_ERROR_UNSUPPORTED, "the model's format is ", major, ".x, this libweft reads ", file::major, ".x");
+        throw Error(WEFT_ERROR_UNSUPPORTED, "the model's format is ", major, ".x, this libweft reads ", file::major,
+                    ".x");
     demand(major == file::major, "the model's format is ", major, ".x, which never was");
     Header header{};
     header.minor = reader.u16();
@@ -36,7 +38,8 @@ Header read_header(Reader& file)
     demand(reader.u32() == crc32c(begin, file::header_size - 4), "the header's checksum is wrong");
     demand(file_size == size, "the model has ", file_size, " bytes, ", size, " were given");
     demand(zero == 0, "the header's reserved field is ", zero);
-    demand(header.chunks >= 2 && header.chunks <= file::most_chunks, "the model has ", header.chunks, " chunks, not 2..64");
+    demand(header.chunks >= 2 && header.chunks <= file::most_chunks, "the model has ", header.chunks,
+           " chunks, not 2..64");
     return header;
 }
 
@@ -76,8 +79,10 @@ Method read_method(const Chunk& chunk, Model& model)
     model.channels = reader.u32();
     const Method result{reader.u32()};
     const std::uint32_t flags = reader.u32();
-    demand(model.channels >= 1 && model.channels <= most_channels, "the model has ", model.channels, " channels, not 1..16");
-    demand(result.layers >= 1 && result.layers <= file::most_layers, "the model has ", result.layers, " layers, not 1..32");
+    demand(model.channels >= 1 && model.channels <= most_channels, "the model has ", model.channels,
+           " channels, not 1..16");
+    demand(result.layers >= 1 && result.layers <= file::most_layers, "the model has ", result.layers,
+           " layers, not 1..32");
     demand(flags == 0, "METH's flags are ", flags);
     demand(reader.remaining() == std::size_t{model.channels} * 4, "METH has ", chunk.payload.remaining(), " bytes");
     reader.floats(model.mean.data(), model.channels);
@@ -89,11 +94,11 @@ Method read_method(const Chunk& chunk, Model& model)
 }
 
 /// The floats that end a chunk. Factors are bounded before they are multiplied, the product compared before allocation.
-Planes read_planes(Reader& reader, std::pmr::memory_resource* memory, std::uint32_t width, std::uint32_t height, std::uint32_t planes,
-                   const Model& model)
+Planes read_planes(Reader& reader, std::pmr::memory_resource* memory, std::uint32_t width, std::uint32_t height,
+                   std::uint32_t planes, const Model& model)
 {
-    demand(width >= 1 && width <= most_side && height >= 1 && height <= most_side, "a layer has ", width, " x ", height, " values, not 1..",
-           most_side, " a side");
+    demand(width >= 1 && width <= most_side && height >= 1 && height <= most_side, "a layer has ", width, " x ", height,
+           " values, not 1..", most_side, " a side");
     demand(planes == model.channels, "a layer has ", planes, " planes, the model has ", model.channels, " channels");
     const std::uint64_t bytes = std::uint64_t{width} * height * planes * 4;
     demand(bytes == reader.remaining(), "a layer has ", reader.remaining(), " bytes of values, its sizes say ", bytes);
@@ -128,7 +133,8 @@ void read_tile(Reader reader, std::pmr::memory_resource* memory, Model& model)
         const auto letter = static_cast<char>(kind >> 8 * i & 255);
         letters[i] = letter >= ' ' && letter <= '~' ? letter : '?';
     }
-    throw Error(WEFT_ERROR_UNSUPPORTED, "the model has a chunk ", std::string_view(letters, 4), ", which this libweft does not know");
+    throw Error(WEFT_ERROR_UNSUPPORTED, "the model has a chunk ", std::string_view(letters, 4),
+                ", which this libweft does not know");
 }
 
 } // namespace
@@ -158,7 +164,8 @@ Model read_model(std::pmr::memory_resource* memory, const unsigned char* bytes, 
     }
     demand(reader.remaining() == 0, reader.remaining(), " bytes follow the last chunk");
     demand(layers == method.layers, "the model has ", layers, " layers, METH says ", method.layers);
-    demand(header.minor == file::minor || ignored, "the model's format is 1.", header.minor, ", but nothing in it is newer than 1.0");
+    demand(header.minor == file::minor || ignored, "the model's format is 1.", header.minor,
+           ", but nothing in it is newer than 1.0");
     check_model(model);
     return model;
 }

@@ -55,7 +55,8 @@ template <class Fill> void write_chunk(Writer& file, std::uint32_t kind, std::ui
 
 std::uint64_t size_of_file(const Model& model) noexcept
 {
-    return file::header_size + 2 * file::chunk_header_size + file::padded(method_length(model)) + file::padded(layer_length(model));
+    return file::header_size + 2 * file::chunk_header_size + file::padded(method_length(model)) +
+           file::padded(layer_length(model));
 }
 
 void write_model(const Model& model, unsigned char* bytes, std::size_t size)

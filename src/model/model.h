@@ -1,9 +1,9 @@
 /// What was learnt from a photo: method, mean colour, layers. Immutable once made; the file format is in FORMAT.md.
 #pragma once
 #include "base/array.h"
-#include <weft/weft.h>
 #include <array>
 #include <memory_resource>
+#include <weft/weft.h>
 
 namespace weft {
 
@@ -13,9 +13,9 @@ constexpr std::uint32_t most_side = 16384; ///< of a texton or a picture
 /// A texton's coefficients alpha (Galerne et al. 2017, equation 3), the kernel of the noise
 /// g(x) = mean + (1 / sqrt(lambda)) (sum_j h(x - x_j) - lambda sum_k alpha(k)), h the B-spline surface through alpha.
 struct Texton {
-    Planes coefficients;      ///< one plane per channel, 1..16384 a side
-    std::uint32_t taps = 2;   ///< of the interpolation per axis: 1, 2, 4, 6
-    float model_error = -1;   ///< against the photo's periodogram; -1: unknown
+    Planes coefficients;    ///< one plane per channel, 1..16384 a side
+    std::uint32_t taps = 2; ///< of the interpolation per axis: 1, 2, 4, 6
+    float model_error = -1; ///< against the photo's periodogram; -1: unknown
 };
 
 /// Invariants are check_model's. Exactly one of `texton` and `picture` is filled, as `method` says.

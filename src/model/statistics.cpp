@@ -29,7 +29,8 @@ double filtered(const float* row, std::int64_t width, std::int64_t x, const Auto
 {
     double sum = b.values[0] * static_cast<double>(row[x]);
     for (std::int64_t d = 1; d <= b.reach; ++d) {
-        const double left = x - d >= 0 ? static_cast<double>(row[x - d]) : 0.0, right = x + d < width ? static_cast<double>(row[x + d]) : 0.0;
+        const double left = x - d >= 0 ? static_cast<double>(row[x - d]) : 0.0,
+                     right = x + d < width ? static_cast<double>(row[x + d]) : 0.0;
         sum += b.values[d] * (left + right);
     }
     return sum;
@@ -51,7 +52,8 @@ double power_of_row(const Planes& alpha, std::uint32_t c, std::uint32_t y, const
 }
 
 /// The sum of row_sum(c, y) over the rows of each plane.
-std::array<double, most_channels> sums_over_rows(const Planes& planes, std::pmr::memory_resource* memory, Parallel& parallel,
+std::array<double, most_channels> sums_over_rows(const Planes& planes, std::pmr::memory_resource* memory,
+                                                 Parallel& parallel,
                                                  const std::function<double(std::uint32_t, std::uint32_t)>& row_sum)
 {
     Array<double> rows(memory, std::size_t{planes.count} * planes.height, Array<double>::unset);
@@ -103,7 +105,8 @@ Statistics statistics_of(const Model& model, std::pmr::memory_resource* memory, 
             result.mean[c] = static_cast<float>(sums[c] / area);
         }
     }
-    for (std::uint32_t c = 0; c < model.channels; ++c) result.deviation[c] = static_cast<float>(std::sqrt(std::max(variance[c], 0.0)));
+    for (std::uint32_t c = 0; c < model.channels; ++c)
+        result.deviation[c] = static_cast<float>(std::sqrt(std::max(variance[c], 0.0)));
     return result;
 }
 

@@ -22,7 +22,8 @@ double log2_of(double x) noexcept
         ++exponent;
     }
     const double s = (m - 1) / (m + 1), s2 = s * s;
-    const double series = 1 + s2 * (1.0 / 3 + s2 * (1.0 / 5 + s2 * (1.0 / 7 + s2 * (1.0 / 9 + s2 * (1.0 / 11 + s2 * (1.0 / 13))))));
+    const double series =
+        1 + s2 * (1.0 / 3 + s2 * (1.0 / 5 + s2 * (1.0 / 7 + s2 * (1.0 / 9 + s2 * (1.0 / 11 + s2 * (1.0 / 13))))));
     return exponent + 2.8853900817779268 * s * series;
 }
 
@@ -68,8 +69,8 @@ weft_spot spot_at(double x, double y, float level) noexcept
 bool is_good(const weft_point& point) noexcept
 {
     constexpr double most = 4503599627370496.0;
-    return std::abs(point.x) < most && std::abs(point.y) < most && std::isfinite(point.dx[0]) && std::isfinite(point.dx[1]) &&
-           std::isfinite(point.dy[0]) && std::isfinite(point.dy[1]);
+    return std::abs(point.x) < most && std::abs(point.y) < most && std::isfinite(point.dx[0]) &&
+           std::isfinite(point.dx[1]) && std::isfinite(point.dy[0]) && std::isfinite(point.dy[1]);
 }
 
 std::uint32_t make_spots(const weft_point& point, weft_spot* spots) noexcept

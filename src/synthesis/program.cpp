@@ -16,7 +16,8 @@ constexpr std::uint32_t most_period = 1U << 24;
 void check_period(std::uint32_t period, std::uint32_t size, const char* field)
 {
     require(period <= most_period, "weft_texture_create: options->", field, " is ", period, ", more than 2^24");
-    require(size == 0 || period % size == 0, "weft_texture_create: options->", field, " is ", period, ", no multiple of the picture's ", size);
+    require(size == 0 || period % size == 0, "weft_texture_create: options->", field, " is ", period,
+            ", no multiple of the picture's ", size);
 }
 
 /// The cell is the whole source, again and again; one texel per pixel.
@@ -31,7 +32,8 @@ weft_grid grid_of(std::uint32_t size, std::uint32_t period) noexcept
 weft_texture_options complete_options(const Model& model, weft_texture_options options)
 {
     if (options.impacts == 0) options.impacts = default_impacts;
-    require(options.impacts >= 1 && options.impacts <= 1000, "weft_texture_create: options->impacts is ", options.impacts, ", not 1..1000");
+    require(options.impacts >= 1 && options.impacts <= 1000, "weft_texture_create: options->impacts is ",
+            options.impacts, ", not 1..1000");
     check_period(options.period_x, model.picture.width, "period_x");
     check_period(options.period_y, model.picture.height, "period_y");
     return options;
@@ -52,8 +54,8 @@ Program::Program(Core& core, const Model& model, const weft_texture_options& opt
 }
 
 /// The noise of Galerne et al. 2017, equation 6, with lambda impacts per pixel: kernel texton / sqrt(lambda), its mean
-/// taken off. Where even cells of one pixel would hold too many impacts, several independent layers share them: a sum of
-/// Poisson processes is one.
+/// taken off. Where even cells of one pixel would hold too many impacts, several independent layers share them: a sum
+/// of Poisson processes is one.
 void Program::add_texton(Core& core, const Texton& texton, const weft_texture_options& options)
 {
     const Planes& alpha = texton.coefficients;
@@ -63,7 +65,8 @@ void Program::add_texton(Core& core, const Texton& texton, const weft_texture_op
 
     splat_.size = sizeof splat_;
     splat_.taps = texton.taps;
-    splat_.cell_log2 = choose_cell_log2(share, alpha.width + texton.taps, alpha.height + texton.taps, options.period_x, options.period_y);
+    splat_.cell_log2 = choose_cell_log2(share, alpha.width + texton.taps, alpha.height + texton.taps, options.period_x,
+                                        options.period_y);
     const double cell = static_cast<double>(1U << splat_.cell_log2);
     counts_ = poisson_thresholds(&core.memory, share * cell * cell);
     splat_.counts = counts_.data();
@@ -76,7 +79,8 @@ void Program::add_texton(Core& core, const Texton& texton, const weft_texture_op
         for (std::size_t i = 0; i < alpha.area(); ++i) sum += static_cast<double>(mips_.own[0].plane(c)[i]);
         offset_[c] = static_cast<float>(-(share * sum)) + 0.0F; // never -0
     }
-    for (int i = 0; i < (shares > 1 ? static_cast<int>(shares) : 1); ++i) add_layer(WEFT_LAYER_SPLAT, i == 0 ? mean_ : nothing_);
+    for (int i = 0; i < (shares > 1 ? static_cast<int>(shares) : 1); ++i)
+        add_layer(WEFT_LAYER_SPLAT, i == 0 ? mean_ : nothing_);
 }
 
 void Program::add_picture(Core& core, const Planes& picture, const weft_texture_options& options)

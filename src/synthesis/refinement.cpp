@@ -39,8 +39,8 @@ template <class Function> double integral(double begin, double end, const Functi
 /// What one axis needs. Fine texel j has its centre at j + 1/2, coarse texel k at 2 k + 1.
 struct Axis {
     static constexpr int most = 24;
-    double gram[6] = {};        ///< of wide splines 0..taps - 1 texels apart
-    double product[most] = {};  ///< of a wide spline with the filtered narrow one `first` + i fine texels from 2 k
+    double gram[6] = {};       ///< of wide splines 0..taps - 1 texels apart
+    double product[most] = {}; ///< of a wide spline with the filtered narrow one `first` + i fine texels from 2 k
     int first = 0, count = 0;
 
     Axis(std::uint32_t taps, bool from_unfiltered) noexcept
@@ -48,7 +48,9 @@ struct Axis {
         const double wide = taps; // half its support
         for (std::uint32_t d = 0; d < taps; ++d)
             gram[d] = integral(-wide, wide, [&](double y) { return spline(taps, y / 2) * spline(taps, y / 2 - d); });
-        const auto box = [&](double y) { return 0.5 * integral(y - 1, y + 1, [&](double z) { return spline(taps, z); }); };
+        const auto box = [&](double y) {
+            return 0.5 * integral(y - 1, y + 1, [&](double z) { return spline(taps, z); });
+        };
         const auto pair = [&](double y) { return 0.5 * (spline(taps, y - 0.5) + spline(taps, y + 0.5)); };
         const int reach = static_cast<int>(taps) + static_cast<int>(taps + 1) / 2 + 2;
         first = -reach;
@@ -65,7 +67,8 @@ struct Axis {
 /// One row or column: its products, then Gram^-1 of them. The Gram matrix is banded: L D L' without roots.
 class Solver {
 public:
-    Solver(const Axis& axis, std::uint32_t taps, std::uint32_t fine, std::uint32_t coarse, std::pmr::memory_resource* memory)
+    Solver(const Axis& axis, std::uint32_t taps, std::uint32_t fine, std::uint32_t coarse,
+           std::pmr::memory_resource* memory)
         : axis_(axis), band_(taps - 1), fine_(fine), coarse_(coarse), factor_(memory, std::size_t{coarse} * (band_ + 1))
     {
         for (std::uint32_t i = 0; i < coarse_; ++i)
@@ -98,7 +101,10 @@ public:
 
 private:
     double& at(std::uint32_t i, std::uint32_t j) noexcept { return factor_[std::size_t{i} * (band_ + 1) + (i - j)]; }
-    double at(std::uint32_t i, std::uint32_t j) const noexcept { return factor_[std::size_t{i} * (band_ + 1) + (i - j)]; }
+    double at(std::uint32_t i, std::uint32_t j) const noexcept
+    {
+        return factor_[std::size_t{i} * (band_ + 1) + (i - j)];
+    }
 
     const Axis& axis_;
     const std::uint32_t band_, fine_, coarse_;
@@ -114,11 +120,13 @@ double sum_of(const double* values, std::size_t count) noexcept
 
 } // namespace
 
-Planes coarser(const Planes& fine, std::uint32_t taps, bool first, std::pmr::memory_resource* memory, Parallel& parallel)
+Planes coarser(const Planes& fine, std::uint32_t taps, bool first, std::pmr::memory_resource* memory,
+               Parallel& parallel)
 {
     Planes result(memory, (fine.width + 1) / 2, (fine.height + 1) / 2, fine.count, Array<float>::unset);
     const Axis axis(taps, first);
-    const Solver along_x(axis, taps, fine.width, result.width, memory), along_y(axis, taps, fine.height, result.height, memory);
+    const Solver along_x(axis, taps, fine.width, result.width, memory),
+        along_y(axis, taps, fine.height, result.height, memory);
     const auto plane = [&](std::uint32_t c) {
         Array<double> source(memory, fine.area(), Array<double>::unset);
         Array<double> rows(memory, std::size_t{result.width} * fine.height, Array<double>::unset);
@@ -126,7 +134,8 @@ Planes coarser(const Planes& fine, std::uint32_t taps, bool first, std::pmr::mem
         std::copy_n(fine.plane(c), fine.area(), source.begin());
         for (std::uint32_t y = 0; y < fine.height; ++y)
             along_x.run(source.data() + std::size_t{y} * fine.width, 1, rows.data() + std::size_t{y} * result.width, 1);
-        for (std::uint32_t x = 0; x < result.width; ++x) along_y.run(rows.data() + x, result.width, both.data() + x, result.width);
+        for (std::uint32_t x = 0; x < result.width; ++x)
+            along_y.run(rows.data() + x, result.width, both.data() + x, result.width);
         const double area = static_cast<double>(result.area());
         const double missing = (sum_of(source.data(), source.size()) * 0.25 - sum_of(both.data(), both.size())) / area;
         for (std::size_t i = 0; i < both.size(); ++i) result.plane(c)[i] = static_cast<float>(both[i] + missing);

@@ -16,7 +16,9 @@ constexpr std::uint32_t small_batch = 64; ///< spots that fit the stack of any t
 {
     constexpr double most = 4503599627370496.0;
     const bool x = std::abs(point.x) < most, y = std::abs(point.y) < most;
-    if (!x || !y) throw Error(WEFT_ERROR_ARGUMENT, function, ": points[", i, "].", x ? "y is " : "x is ", x ? point.y : point.x, ", not within 2^52");
+    if (!x || !y)
+        throw Error(WEFT_ERROR_ARGUMENT, function, ": points[", i, "].", x ? "y is " : "x is ", x ? point.y : point.x,
+                    ", not within 2^52");
     throw Error(WEFT_ERROR_ARGUMENT, function, ": points[", i, "].dx or .dy is not finite");
 }
 
@@ -68,14 +70,20 @@ private:
 /// A room of the pool for large counts, if one is free; else the stack.
 class Room {
 public:
-    Room(const Scratch_pool& pool, std::size_t count) noexcept : pool_(pool), number_(count > small_batch - most_probes ? pool.take() : -1) {}
+    Room(const Scratch_pool& pool, std::size_t count) noexcept
+        : pool_(pool), number_(count > small_batch - most_probes ? pool.take() : -1)
+    {
+    }
     ~Room()
     {
         if (number_ >= 0) pool_.give(number_);
     }
     Room(const Room&) = delete;
     Room& operator=(const Room&) = delete;
-    Scratch scratch() noexcept { return number_ >= 0 ? pool_[number_] : Scratch{spots_, results_, probes_, small_batch}; }
+    Scratch scratch() noexcept
+    {
+        return number_ >= 0 ? pool_[number_] : Scratch{spots_, results_, probes_, small_batch};
+    }
 
 private:
     const Scratch_pool& pool_;

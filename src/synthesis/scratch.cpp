@@ -6,7 +6,8 @@
 namespace weft {
 
 Scratch_pool::Scratch_pool(std::pmr::memory_resource* memory, std::uint32_t batch, std::uint32_t channels)
-    : capacity_(std::clamp(batch ? batch : 1024U, 64U, 4096U)), channels_(channels), rooms_(std::min(available_threads(), 32U)),
+    : capacity_(std::clamp(batch ? batch : 1024U, 64U, 4096U)), channels_(channels),
+      rooms_(std::min(available_threads(), 32U)),
       spots_(memory, std::size_t{capacity_} * rooms_, Array<weft_spot>::unset),
       results_(memory, std::size_t{capacity_} * rooms_ * channels, Array<float>::unset),
       probes_(memory, std::size_t{capacity_} * rooms_, Array<std::uint8_t>::unset), taken_(memory, rooms_)
@@ -20,7 +21,10 @@ std::int32_t Scratch_pool::take() const noexcept
     return -1;
 }
 
-void Scratch_pool::give(std::int32_t room) const noexcept { __atomic_store_n(&taken_[static_cast<std::size_t>(room)], 0U, __ATOMIC_RELEASE); }
+void Scratch_pool::give(std::int32_t room) const noexcept
+{
+    __atomic_store_n(&taken_[static_cast<std::size_t>(room)], 0U, __ATOMIC_RELEASE);
+}
 
 Scratch Scratch_pool::operator[](std::int32_t room) const noexcept
 {

@@ -1,8 +1,8 @@
 /// Room for batches of spots, set aside when a texture is made, since sampling allocates nothing.
 #pragma once
 #include "base/array.h"
-#include <weft/backend.h>
 #include <atomic>
+#include <weft/backend.h>
 
 namespace weft {
 
