@@ -147,8 +147,8 @@ inline Pair fma_pair(const Pair& a, const Pair& b, const Pair& c)
 /// Adds one impact to one group of planes, whose accumulators are the two halves of `sum`.
 inline Pair add_linear(const float* from, int64_t row, const Candidates& c, uint32_t n, const Pair& sum)
 {
-    const float w0 = c.w0[n], w1 = c.w1[n];
-    const Pair w = {w0, w0, w0, w0, w1, w1, w1, w1}, rho = c.rho[n] - Pair{};
+    const Pair w0 = c.w0[n] - Pair{}, w1 = c.w1[n] - Pair{}, rho = c.rho[n] - Pair{};
+    const Pair w = __builtin_shufflevector(w0, w1, 0, 1, 2, 3, 12, 13, 14, 15);
     return fma_pair(w, fma_pair(rho, load_pair(from + row), load_pair(from)), sum);
 }
 
@@ -220,30 +220,35 @@ void count_impacts(const Splat& splat, Cells& cells)
     }
 }
 
-/// Adds the impacts of some cells. They are listed four at a time, so that the stores depend on no count.
-template <uint32_t taps> void add_cells(Point& point, Cells& cells, Candidates& c)
+/// Lists impacts i..i + 3 of cell n, whether there are so many or not: the stores depend on no count.
+inline void list_four(const Point& point, const Cells& cells, uint32_t n, uint32_t i, Candidates& c, uint32_t to)
 {
     const States steps = {2 * WEFT_GOLDEN, 3 * WEFT_GOLDEN, 4 * WEFT_GOLDEN, 5 * WEFT_GOLDEN};
+    put((cells.key[n] + i * WEFT_GOLDEN) + steps, c.state + to);
+    put(cells.x[n] + Four{}, c.x + to);
+    put(cells.y[n] + Four{}, c.y + to);
+    if (!point.cut) return;
+    put(cells.pixels_x[n] + Four{}, c.pixels_x + to);
+    put(cells.pixels_y[n] + Four{}, c.pixels_y + to);
+}
+
+/// Adds the impacts of some cells.
+template <uint32_t taps> void add_cells(Point& point, Cells& cells, Candidates& c)
+{
     count_impacts(point.splat, cells);
-    uint32_t to = c.count; // in a register: the stores below could change c.count, for all a compiler knows
+    uint32_t to = c.count; // in a register: the stores could change c.count, for all a compiler knows
     for (uint32_t n = 0, count = cells.count; n < count; ++n) {
-        uint64_t key = cells.key[n];
-        uint32_t left = cells.impacts[n];
-        for (;; left -= 4, key += 4 * WEFT_GOLDEN) {
+        const uint32_t impacts = cells.impacts[n];
+        for (uint32_t i = 0;;) {
             if (to > most_candidates - 4) {
                 c.count = to;
                 add_candidates<taps>(point, c);
                 to = 0;
             }
-            put(key + steps, c.state + to);
-            put(cells.x[n] + Four{}, c.x + to);
-            put(cells.y[n] + Four{}, c.y + to);
-            if (point.cut) {
-                put(cells.pixels_x[n] + Four{}, c.pixels_x + to);
-                put(cells.pixels_y[n] + Four{}, c.pixels_y + to);
-            }
-            to += left < 4 ? left : 4;
-            if (left <= 4) break;
+            list_four(point, cells, n, i, c, to);
+            to += impacts - i < 4 ? impacts - i : 4;
+            if (impacts - i <= 4) break;
+            i += 4;
         }
     }
     c.count = to;
