@@ -4,6 +4,7 @@
 #include "base/image.h"
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <functional>
 
 namespace weft {
@@ -45,6 +46,27 @@ struct Tiles {
     std::uint32_t width, height, columns = 0, stride = 0;
     std::uint32_t slots; ///< tiles under way at once, each with a buffer
     std::uint64_t total = 0;
+};
+
+/// How many tiles are drawn between two reports of progress: as many as take about 10 ms, so that a cancelled call ends
+/// soon on a slow device and a fast one seldom waits for its slowest thread. No pixel depends on it.
+class Batch {
+public:
+    Batch(std::uint64_t least, std::uint64_t size) noexcept : least_(least), size_(size) {}
+    std::uint64_t size() const noexcept { return size_; }
+
+    void done() noexcept
+    {
+        const Clock::time_point now = Clock::now();
+        if (now - begin_ < std::chrono::milliseconds(5)) size_ *= 2;
+        if (now - begin_ > std::chrono::milliseconds(15)) size_ = std::max(least_, size_ / 2);
+        begin_ = now;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::uint64_t least_, size_;
+    Clock::time_point begin_ = Clock::now();
 };
 
 } // namespace
@@ -97,12 +119,13 @@ void Texture::render(std::int64_t x, std::int64_t y, std::uint32_t level, const 
             throw;
         }
     };
-    const std::uint64_t batch = progress.reports() ? std::uint64_t{tiles.slots} * 16 : tiles.total;
+    Batch batch(tiles.slots, progress.reports() ? tiles.slots : tiles.total);
     for (std::uint64_t first = 0; first < tiles.total; first = end) {
         progress.at(static_cast<double>(first) / static_cast<double>(tiles.total));
-        end = std::min(tiles.total, first + batch);
+        end = std::min(tiles.total, first + batch.size());
         next = first;
         core_.parallel.for_each_index(tiles.slots, std::ref(work));
+        batch.done();
     }
     progress.at(1);
 }
