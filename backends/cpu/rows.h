@@ -19,6 +19,7 @@ struct Splat {
     uint64_t key; ///< of its cells
     uint32_t period[2];
     uint32_t cell_log2, count_limit, signs, taps, planes, levels;
+    uint32_t usual_counts; ///< how many thresholds more than one cell in 256 reaches
     const uint32_t* counts;
     const float* offset;
     const Texels* texels;                                         ///< levels

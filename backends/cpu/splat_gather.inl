@@ -80,10 +80,10 @@ inline Place place_at(int32_t pixels, int32_t fraction, uint32_t level, uint32_t
 }
 
 /// Where the candidates are and what they weigh.
-template <uint32_t taps> void locate_candidates(const Point& point, Candidates& c)
+template <uint32_t taps, bool base> void locate_candidates(const Point& point, Candidates& c)
 {
     const Texels& texels = point.texels;
-    const uint32_t shift = 16 - point.splat.cell_log2, level = point.level, signs = point.splat.signs;
+    const uint32_t shift = 16 - point.splat.cell_log2, level = base ? 0 : point.level, signs = point.splat.signs;
     const int32_t fx = int32_t(point.spot.fraction[0]), fy = int32_t(point.spot.fraction[1]);
     const int32_t before = taps > 2 ? int32_t(taps) / 2 - 1 : 0;
     const int32_t left = texels.x + before, top = texels.y + before, pitch = int32_t(texels.row);
@@ -190,7 +190,10 @@ template <uint32_t taps> void add_candidates(Point& point, Candidates& c)
         c.state[n] = 0;
         c.x[n] = c.y[n] = 0;
     }
-    locate_candidates<taps>(point, c);
+    if (point.level == 0)
+        locate_candidates<taps, true>(point, c);
+    else
+        locate_candidates<taps, false>(point, c);
     uint32_t hits = 0;
     for (uint32_t n = 0; n < c.count; ++n) {
         c.hits[hits] = n;
@@ -203,28 +206,27 @@ template <uint32_t taps> void add_candidates(Point& point, Candidates& c)
     c.count = 0;
 }
 
+/// Keys, and how many of the usual thresholds each reaches.
 void count_impacts(const Splat& splat, Cells& cells)
 {
-    uint32_t highest = 0;
     for (uint32_t n = cells.count; n < cells.count + chunk; ++n) cells.key[n] = 0;
     const uint32_t count = whole_chunks(cells.count);
     for (uint32_t n = 0; n < count; ++n) {
         cells.key[n] = weft_mix(cells.key[n]);
         cells.high[n] = weft_high(weft_draw(cells.key[n], 0));
         cells.impacts[n] = 0;
-        highest = cells.high[n] > highest ? cells.high[n] : highest;
     }
-    for (uint32_t i = 0; i < splat.count_limit && splat.counts[i] <= highest; ++i) {
+    for (uint32_t i = 0; i < splat.usual_counts; ++i) {
         const uint32_t threshold = splat.counts[i];
         for (uint32_t n = 0; n < count; ++n) cells.impacts[n] += cells.high[n] >= threshold ? 1u : 0u;
     }
 }
 
-/// Lists impacts i..i + 3 of cell n, whether there are so many or not: the stores depend on no count.
-inline void list_four(const Point& point, const Cells& cells, uint32_t n, uint32_t i, Candidates& c, uint32_t to)
+/// Lists four impacts of cell n, whether there are so many or not: the stores depend on no count.
+inline void list_four(const Point& point, const Cells& cells, uint32_t n, const States& state, Candidates& c,
+                      uint32_t to)
 {
-    const States steps = {2 * WEFT_GOLDEN, 3 * WEFT_GOLDEN, 4 * WEFT_GOLDEN, 5 * WEFT_GOLDEN};
-    put((cells.key[n] + i * WEFT_GOLDEN) + steps, c.state + to);
+    put(state, c.state + to);
     put(cells.x[n] + Four{}, c.x + to);
     put(cells.y[n] + Four{}, c.y + to);
     if (!point.cut) return;
@@ -235,20 +237,23 @@ inline void list_four(const Point& point, const Cells& cells, uint32_t n, uint32
 /// Adds the impacts of some cells.
 template <uint32_t taps> void add_cells(Point& point, Cells& cells, Candidates& c)
 {
-    count_impacts(point.splat, cells);
+    const States steps = {2 * WEFT_GOLDEN, 3 * WEFT_GOLDEN, 4 * WEFT_GOLDEN, 5 * WEFT_GOLDEN};
+    const Splat& splat = point.splat;
+    count_impacts(splat, cells);
     uint32_t to = c.count; // in a register: the stores could change c.count, for all a compiler knows
     for (uint32_t n = 0, count = cells.count; n < count; ++n) {
-        const uint32_t impacts = cells.impacts[n];
-        for (uint32_t i = 0;;) {
+        uint32_t left = cells.impacts[n];
+        if (left == splat.usual_counts) left = impact_count(splat, cells.key[n]);
+        States state = cells.key[n] + steps;
+        for (;; left -= 4, state += 4 * WEFT_GOLDEN) {
             if (to > most_candidates - 4) {
                 c.count = to;
                 add_candidates<taps>(point, c);
                 to = 0;
             }
-            list_four(point, cells, n, i, c, to);
-            to += impacts - i < 4 ? impacts - i : 4;
-            if (impacts - i <= 4) break;
-            i += 4;
+            list_four(point, cells, n, state, c, to);
+            to += left < 4 ? left : 4;
+            if (left <= 4) break;
         }
     }
     c.count = to;

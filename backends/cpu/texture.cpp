@@ -122,6 +122,13 @@ float mean_count(const weft_splat& splat)
     return float(count);
 }
 
+uint32_t usual_counts(const weft_splat& splat)
+{
+    uint32_t count = 0;
+    while (count < splat.count_limit && splat.counts[count] < 0xff000000) ++count;
+    return count;
+}
+
 bool open_splat(weft_backend_texture& texture, Layer& layer)
 {
     const weft_program& program = *texture.program;
@@ -134,6 +141,7 @@ bool open_splat(weft_backend_texture& texture, Layer& layer)
                    splat.taps,
                    layer.source->planes,
                    splat.textons->levels,
+                   usual_counts(splat),
                    splat.counts,
                    splat.offset,
                    layer.texels,
