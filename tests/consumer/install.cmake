@@ -3,7 +3,8 @@ cmake_minimum_required(VERSION 3.25)
 set(first ${BINARY}/first)
 file(REMOVE_RECURSE ${first} ${STAGE})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${first} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-foreach(file include/weft/weft.h include/weft/backend.h ${LIBDIR}/libweft.so ${LIBDIR}/libweft.so.${MAJOR} ${LIBDIR}/libweft.a
+foreach(file include/weft/weft.h include/weft/backend.h include/weft/field.h
+    ${LIBDIR}/libweft.so ${LIBDIR}/libweft.so.${MAJOR} ${LIBDIR}/libweft.a
     ${LIBDIR}/weft-${MAJOR}/weft_backend_simd.so ${LIBDIR}/pkgconfig/weft.pc ${LIBDIR}/cmake/weft/weftConfig.cmake
     ${LIBDIR}/cmake/weft/weftConfigVersion.cmake bin/weft share/doc/weft/LICENSE share/doc/weft/README.md share/doc/weft/PROGRAMS.md)
   if(NOT EXISTS ${first}/${file})
