@@ -27,10 +27,10 @@ static int end(void **state)
     return 0;
 }
 
-static uint32_t windows(void) { return scaled(60, 24); }
+enum { windows = 60 };
 
 /* |t| that 59 (23) degrees of freedom exceed with a probability of 1e-9: less than 1e-5 for all tests of this file. */
-static double bound(void) { return windows() == 60 ? 7.2 : 9.9; }
+static double bound(void) { return windows == 60 ? 7.2 : 9.9; }
 
 /* Mean and standard error of estimates. */
 typedef struct Estimate {
@@ -109,7 +109,7 @@ static void check_moments(const Promise *promise, float impacts)
     Estimate mean[CHANNELS], covariance[LAGS][CHANNELS][CHANNELS];
     memset(mean, 0, sizeof mean);
     memset(covariance, 0, sizeof covariance);
-    for (uint32_t i = 0; i < windows(); ++i) {
+    for (uint32_t i = 0; i < windows; ++i) {
         weft_texture *texture = new_texture(context, promise->model, impacts, 100 + i, 0);
         weft_image image = rendered(texture, 1000 * (int64_t)i, -77, 0, SIDE, SIDE, CHANNELS);
         for (uint32_t a = 0; a < CHANNELS; ++a) {
@@ -221,7 +221,7 @@ static void spectrum(void **state)
     for (int i = 0; i < 3; ++i) {
         static Estimate estimate[CHANNELS][SEGMENT * SEGMENT];
         memset(estimate, 0, sizeof estimate);
-        for (uint32_t w = 0; w < windows(); ++w) {
+        for (uint32_t w = 0; w < windows; ++w) {
             weft_texture *texture = new_texture(context, promise.model, impacts[i], 5000 + w, 0);
             weft_image image = rendered(texture, 0, 0, 0, SIDE, SIDE, CHANNELS);
             for (uint32_t c = 0; c < CHANNELS; ++c) {
@@ -248,7 +248,7 @@ static void a_wrong_promise_is_noticed(void **state)
     (void)state;
     Promise promise = make_promise(16, WEFT_INTERPOLATION_LINEAR);
     Estimate variance = {0, 0, 0};
-    for (uint32_t i = 0; i < windows(); ++i) {
+    for (uint32_t i = 0; i < windows; ++i) {
         weft_texture *texture = new_texture(context, promise.model, 30, 100 + i, 0);
         weft_image image = rendered(texture, 0, 0, 0, SIDE, SIDE, CHANNELS);
         add(&variance, covariance_in(&image, promise.info.mean, 0, 0, 0, 0));
@@ -266,7 +266,7 @@ static void realisations_are_independent(void **state)
     (void)state;
     Promise promise = make_promise(16, WEFT_INTERPOLATION_LINEAR);
     Estimate seeds = {0, 0, 0}, places = {0, 0, 0};
-    for (uint32_t i = 0; i < windows(); ++i) {
+    for (uint32_t i = 0; i < windows; ++i) {
         weft_texture *one = new_texture(context, promise.model, 30, 2 * i, 0),
                      *two = new_texture(context, promise.model, 30, 2 * i + 1, 0);
         weft_image a = rendered(one, 0, 0, 0, SIDE, SIDE, CHANNELS), b = rendered(two, 0, 0, 0, SIDE, SIDE, CHANNELS);
