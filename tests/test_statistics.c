@@ -29,8 +29,8 @@ static int end(void **state)
 
 enum { windows = 60 };
 
-/* |t| that 59 (23) degrees of freedom exceed with a probability of 1e-9: less than 1e-5 for all tests of this file. */
-static double bound(void) { return windows == 60 ? 7.2 : 9.9; }
+/* |t| that windows - 1 degrees of freedom exceed with a probability of 1e-9: less than 1e-5 for all tests of this file. */
+static const double bound = 7.2;
 
 /* Mean and standard error of estimates. */
 typedef struct Estimate {
@@ -55,7 +55,7 @@ static double error_of(const Estimate *e)
 /* Within the interval, and the interval narrow enough that it says something: half of it below `narrow`. */
 static void assert_expected(const Estimate *estimate, double expected, double narrow, const char *what, int index)
 {
-    const double mean = mean_of(estimate), half = bound() * error_of(estimate);
+    const double mean = mean_of(estimate), half = bound * error_of(estimate);
     if (fabs(mean - expected) <= half && half <= narrow) return;
     print_error("%s %d: %g, expected %g, half interval %g, to be below %g\n", what, index, mean, expected, half,
                 narrow);
@@ -256,7 +256,7 @@ static void a_wrong_promise_is_noticed(void **state)
         weft_texture_free(texture);
     }
     const double promised = (double)promise.info.deviation[0] * (double)promise.info.deviation[0];
-    assert_true(fabs(mean_of(&variance) - 1.21 * promised) > bound() * error_of(&variance));
+    assert_true(fabs(mean_of(&variance) - 1.21 * promised) > bound * error_of(&variance));
     free_promise(&promise);
 }
 
