@@ -1,6 +1,6 @@
-/* weft_sheet SHEET {EXEMPLAR TEXTON OUTPUT}...: a picture of what libweft did, a row for each exemplar. From left to right the
- * exemplar and the texton, magnified by a whole number to fill their panels, a window of the output at the exemplar's
- * scale, and 4x of its centre. */
+/* weft_sheet SHEET {EXEMPLAR TEXTON OUTPUT}...: a picture of what libweft did, a row for each exemplar. From left to
+ * right the exemplar and the texton, magnified by a whole number to fill their panels, a window of the output at the
+ * exemplar's scale, and 4x of its centre. */
 #include <png.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -11,10 +11,10 @@ enum { panel = 512, gap = 16, zoom = 4 };
 
 typedef struct picture {
     uint32_t width, height;
-    uint8_t *rgb;
+    uint8_t* rgb;
 } picture;
 
-static int read_picture(const char *path, picture *out)
+static int read_picture(const char* path, picture* out)
 {
     png_image image;
     memset(&image, 0, sizeof image);
@@ -27,7 +27,7 @@ static int read_picture(const char *path, picture *out)
     out->width = image.width;
     out->height = image.height;
     out->rgb = malloc(PNG_IMAGE_SIZE(image));
-    const png_color white = { 255, 255, 255 };
+    const png_color white = {255, 255, 255};
     if (!out->rgb || !png_image_finish_read(&image, &white, out->rgb, 0, NULL)) {
         fprintf(stderr, "weft_sheet: %s: %s\n", path, out->rgb ? image.message : "out of memory");
         png_image_free(&image);
@@ -37,7 +37,7 @@ static int read_picture(const char *path, picture *out)
 }
 
 /* Copies the middle of `from`, each pixel `scale` by `scale` times, into the middle of the panel at (left, top). */
-static void place(picture *sheet, uint32_t left, uint32_t top, uint32_t width, const picture *from, uint32_t scale)
+static void place(picture* sheet, uint32_t left, uint32_t top, uint32_t width, const picture* from, uint32_t scale)
 {
     const uint32_t columns = from->width * scale < width ? from->width * scale : width;
     const uint32_t rows = from->height * scale < panel ? from->height * scale : panel;
@@ -50,13 +50,13 @@ static void place(picture *sheet, uint32_t left, uint32_t top, uint32_t width, c
         }
 }
 
-static uint32_t fitting_scale(const picture *p)
+static uint32_t fitting_scale(const picture* p)
 {
     const uint32_t longer = p->width > p->height ? p->width : p->height;
     return longer < panel ? panel / longer : 1;
 }
 
-static int write_picture(const char *path, const picture *p)
+static int write_picture(const char* path, const picture* p)
 {
     png_image image;
     memset(&image, 0, sizeof image);
@@ -69,10 +69,11 @@ static int write_picture(const char *path, const picture *p)
     return 0;
 }
 
-static int place_row(picture *sheet, uint32_t top, char **paths)
+static int place_row(picture* sheet, uint32_t top, char** paths)
 {
     picture exemplar, texton, output;
-    if (!read_picture(paths[0], &exemplar) || !read_picture(paths[1], &texton) || !read_picture(paths[2], &output)) return 0;
+    if (!read_picture(paths[0], &exemplar) || !read_picture(paths[1], &texton) || !read_picture(paths[2], &output))
+        return 0;
     const uint32_t scale = fitting_scale(&exemplar);
     place(sheet, gap, top, panel, &exemplar, scale);
     place(sheet, 2 * gap + panel, top, panel, &texton, fitting_scale(&texton));
@@ -84,7 +85,7 @@ static int place_row(picture *sheet, uint32_t top, char **paths)
     return 1;
 }
 
-int main(int count, char **arguments)
+int main(int count, char** arguments)
 {
     picture sheet;
     const uint32_t rows = count > 2 ? (uint32_t)(count - 2) / 3 : 0;

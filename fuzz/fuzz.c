@@ -1,9 +1,9 @@
 /* What the fuzz targets share. */
 #include "fuzz.h"
 
-weft_context *fuzz_context(const char *device)
+weft_context* fuzz_context(const char* device)
 {
-    static weft_context *contexts[4];
+    static weft_context* contexts[4];
     static char names[4][32];
     for (size_t i = 0; i < 4; ++i) {
         if (contexts[i] && strcmp(names[i], device) == 0) return contexts[i];
@@ -27,7 +27,7 @@ void fuzz_check_error(weft_status status)
     FUZZ_CHECK(weft_error_message()[0] != '\0');
 }
 
-void fuzz_take(const uint8_t **bytes, size_t *size, void *value, size_t count)
+void fuzz_take(const uint8_t** bytes, size_t* size, void* value, size_t count)
 {
     const size_t there = *size < count ? *size : count;
     memset(value, 0, count);
@@ -38,7 +38,7 @@ void fuzz_take(const uint8_t **bytes, size_t *size, void *value, size_t count)
 
 static int is_finite(float value) { return value - value == 0; }
 
-static void check_info(const weft_model *model, const weft_model_info *info)
+static void check_info(const weft_model* model, const weft_model_info* info)
 {
     FUZZ_CHECK(info->method == WEFT_METHOD_TEXTON || info->method == WEFT_METHOD_PICTURE);
     FUZZ_CHECK(info->channels >= 1 && info->channels <= 16 && info->parts >= 1);
@@ -52,10 +52,10 @@ static void check_info(const weft_model *model, const weft_model_info *info)
     }
 }
 
-void fuzz_check_model(weft_context *context, const weft_model *model)
+void fuzz_check_model(weft_context* context, const weft_model* model)
 {
     weft_model_info info = WEFT_MODEL_INFO_INIT;
-    weft_model *again = NULL;
+    weft_model* again = NULL;
     FUZZ_CHECK(weft_model_get(model, &info) == WEFT_OK);
     check_info(model, &info);
     FUZZ_CHECK(info.bytes < UINT64_C(64) << 20);

@@ -4,14 +4,14 @@
 
 enum { most_side = 28 };
 
-static int32_t count_down(void *user, float done)
+static int32_t count_down(void* user, float done)
 {
-    int *left = user;
+    int* left = user;
     FUZZ_CHECK(done >= 0 && done <= 1);
     return (*left)-- == 0;
 }
 
-static void compare(weft_context *context, const weft_image *image, uint64_t seed)
+static void compare(weft_context* context, const weft_image* image, uint64_t seed)
 {
     weft_compare_options options = WEFT_COMPARE_OPTIONS_INIT;
     weft_comparison comparison = WEFT_COMPARISON_INIT;
@@ -23,22 +23,24 @@ static void compare(weft_context *context, const weft_image *image, uint64_t see
         FUZZ_CHECK(comparison.histogram_distance == -1 || comparison.histogram_distance >= 0);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
     static float pixels[most_side * most_side * 16 + 1];
-    weft_context *context = fuzz_context("scalar");
+    weft_context* context = fuzz_context("scalar");
     weft_texton_options options = WEFT_TEXTON_OPTIONS_INIT;
     uint8_t shape[8];
     fuzz_take(&bytes, &size, shape, sizeof shape);
-    fuzz_take(&bytes, &size, (char *)&options + sizeof options.size, sizeof options - sizeof options.size);
-    if (shape[7] & 1) options.iterations %= 16; /* more of them are slow, not new */
-    else options.iterations = 1;
+    fuzz_take(&bytes, &size, (char*)&options + sizeof options.size, sizeof options - sizeof options.size);
+    if (shape[7] & 1)
+        options.iterations %= 16; /* more of them are slow, not new */
+    else
+        options.iterations = 1;
     const uint32_t width = 1 + shape[0] % most_side, height = 1 + shape[1] % most_side, channels = shape[2] % 18;
-    weft_image image = { pixels, 0, width, height, channels, shape[3] % 5 };
+    weft_image image = {pixels, 0, width, height, channels, shape[3] % 5};
     memset(pixels, 0, sizeof pixels);
     memcpy(pixels, bytes, size < sizeof pixels ? size : sizeof pixels);
 
-    weft_model *model = NULL;
+    weft_model* model = NULL;
     int left = shape[5] == 0 ? -1 : shape[5];
     weft_status status;
     if (shape[4] % 4 == 0)

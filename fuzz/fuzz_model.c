@@ -1,10 +1,10 @@
 /* Untrusted model files: refused with a status and a sentence, or loaded; what is loaded saves to canonical bytes. */
 #include "fuzz.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
-    weft_context *context = fuzz_context("scalar");
-    weft_model *model = NULL;
+    weft_context* context = fuzz_context("scalar");
+    weft_model* model = NULL;
     const weft_status status = weft_model_load(context, bytes, size, &model);
     if (status != WEFT_OK) {
         fuzz_check_error(status);
@@ -16,7 +16,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     /* Only chunks that may be ignored make a file longer than its canonical form. */
     FUZZ_CHECK(info.bytes <= size);
     if (info.bytes == size) {
-        uint8_t *saved = malloc(size);
+        uint8_t* saved = malloc(size);
         FUZZ_CHECK(saved && weft_model_save(model, saved, size) == WEFT_OK);
         FUZZ_CHECK(memcmp(saved, bytes, size) == 0);
         free(saved);

@@ -1,5 +1,5 @@
-/* A model and a texture's options, both untrusted: what scalar renders and samples, simd gives bit for bit. The first 40
- * bytes are options and position, the model file follows. */
+/* A model and a texture's options, both untrusted: what scalar renders and samples, simd gives bit for bit. The first
+ * 40 bytes are options and position, the model file follows. */
 #include "fuzz.h"
 
 enum { side = 16, points = 8 };
@@ -10,9 +10,9 @@ typedef struct request {
     uint32_t level;
 } request;
 
-static request take_request(const uint8_t **bytes, size_t *size)
+static request take_request(const uint8_t** bytes, size_t* size)
 {
-    request r = { WEFT_TEXTURE_OPTIONS_INIT, 0, 0, 0 };
+    request r = {WEFT_TEXTURE_OPTIONS_INIT, 0, 0, 0};
     uint32_t small;
     fuzz_take(bytes, size, &r.options.seed, 8);
     fuzz_take(bytes, size, &r.x, 8);
@@ -26,12 +26,13 @@ static request take_request(const uint8_t **bytes, size_t *size)
 }
 
 /* 0, or the pixels and points of the texture on a device; at most `channels` of each. */
-static weft_status evaluate(const char *device, const weft_model *model, const request *r, uint32_t channels, float *out)
+static weft_status evaluate(const char* device, const weft_model* model, const request* r, uint32_t channels,
+                            float* out)
 {
-    weft_texture *texture = NULL;
+    weft_texture* texture = NULL;
     weft_status status = weft_texture_create(fuzz_context(device), model, &r->options, &texture);
     if (status != WEFT_OK) return status;
-    weft_image image = { out, 0, side, side, channels, WEFT_FORMAT_F32 };
+    weft_image image = {out, 0, side, side, channels, WEFT_FORMAT_F32};
     status = weft_texture_render(texture, r->x, r->y, r->level, NULL, NULL, &image);
     if (status == WEFT_OK) {
         weft_point point[points];
@@ -50,11 +51,11 @@ static weft_status evaluate(const char *device, const weft_model *model, const r
     return status;
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
     static float reference[(side * side + points) * 16], other[(side * side + points) * 16];
     const request r = take_request(&bytes, &size);
-    weft_model *model = NULL;
+    weft_model* model = NULL;
     if (weft_model_load(fuzz_context("scalar"), bytes, size, &model) != WEFT_OK) return 0;
     weft_model_info info = WEFT_MODEL_INFO_INIT;
     FUZZ_CHECK(weft_model_get(model, &info) == WEFT_OK);

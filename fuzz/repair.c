@@ -3,7 +3,7 @@
 
 enum { header_size = 32, chunk_header_size = 24 };
 
-static uint32_t crc32c(uint32_t before, const uint8_t *bytes, size_t size)
+static uint32_t crc32c(uint32_t before, const uint8_t* bytes, size_t size)
 {
     uint32_t crc = ~before;
     for (size_t i = 0; i < size; ++i) {
@@ -13,26 +13,26 @@ static uint32_t crc32c(uint32_t before, const uint8_t *bytes, size_t size)
     return ~crc;
 }
 
-static void put(uint8_t *to, uint64_t value, size_t bytes)
+static void put(uint8_t* to, uint64_t value, size_t bytes)
 {
     for (size_t i = 0; i < bytes; ++i) to[i] = (uint8_t)(value >> (8 * i));
 }
 
-static uint64_t get(const uint8_t *from, size_t bytes)
+static uint64_t get(const uint8_t* from, size_t bytes)
 {
     uint64_t value = 0;
     for (size_t i = 0; i < bytes; ++i) value |= (uint64_t)from[i] << (8 * i);
     return value;
 }
 
-void fuzz_repair(uint8_t *bytes, size_t size)
+void fuzz_repair(uint8_t* bytes, size_t size)
 {
     if (size < header_size) return;
     put(bytes + 16, size, 8);
     put(bytes + 28, crc32c(0, bytes, 28), 4);
     size_t at = header_size;
     while (size - at >= chunk_header_size) {
-        uint8_t *chunk = bytes + at;
+        uint8_t* chunk = bytes + at;
         const uint64_t length = get(chunk + 8, 8);
         at += chunk_header_size;
         if (length > size - at) return;

@@ -29,7 +29,7 @@ static int has_device(const char *backend)
 int main(int count, char **arguments)
 {
     static unsigned char photo[side * side * 3], out[wide * wide * 3];
-    const weft_image in = { photo, 0, side, side, 3, WEFT_FORMAT_U8 }, window = { out, 0, wide, wide, 3, WEFT_FORMAT_U8 };
+    const weft_image in = {photo, 0, side, side, 3, WEFT_FORMAT_U8}, window = {out, 0, wide, wide, 3, WEFT_FORMAT_U8};
     weft_context *context = NULL;
     weft_model *model = NULL;
     weft_texture *texture = NULL;

@@ -1,13 +1,14 @@
-/* A backend from a third party, written from backend.h and PROGRAMS.md alone: it evaluates programs whose layers are plain
- * pictures (TILE, one view, no exchange, nothing referred to), bit for bit as "scalar" does, and leaves all others to it.
- * Compile with -ffp-contract=off. PLAIN_TINT is added to each pixel, to see from outside that this code was at work. */
+/* A backend from a third party, written from backend.h and PROGRAMS.md alone: it evaluates programs whose layers are
+ * plain pictures (TILE, one view, no exchange, nothing referred to), bit for bit as "scalar" does, and leaves all
+ * others to it. Compile with -ffp-contract=off. PLAIN_TINT is added to each pixel, to see from outside that this code
+ * was at work. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <weft/backend.h>
 
 #ifndef PLAIN_NAME
-#  define PLAIN_NAME "plain"
+#define PLAIN_NAME "plain"
 #endif
 
 struct weft_backend_device {
@@ -139,7 +140,8 @@ static void device_info(uint32_t index, weft_device_info *info)
 #endif
 }
 
-static weft_status device_open(const weft_host *host, uint32_t index, weft_device_limits *limits, weft_backend_device **device)
+static weft_status device_open(const weft_host *host, uint32_t index, weft_device_limits *limits,
+                               weft_backend_device **device)
 {
     (void)index;
     (void)limits; /* no wishes */
@@ -163,12 +165,15 @@ static int can_evaluate(const weft_program *program)
     for (uint32_t l = 0; l < program->layer_count; ++l) {
         const weft_layer *layer = program->layers[l];
         if (layer->kind != WEFT_LAYER_TILE || layer->mask.layer != -1) return 0;
-        if (layer->tile->address != WEFT_ADDRESS_CELLS || layer->tile->exchange || layer->tile->displacement.layer != -1) return 0;
+        if (layer->tile->address != WEFT_ADDRESS_CELLS || layer->tile->exchange ||
+            layer->tile->displacement.layer != -1)
+            return 0;
     }
     return 1;
 }
 
-static weft_status texture_open(weft_backend_device *device, const weft_program *program, weft_backend_texture **texture)
+static weft_status texture_open(weft_backend_device *device, const weft_program *program,
+                                weft_backend_texture **texture)
 {
     const weft_host *host = device->host;
     if (!can_evaluate(program)) return WEFT_ERROR_UNSUPPORTED;
@@ -216,7 +221,12 @@ static weft_status texture_sample(weft_backend_texture *texture, const weft_batc
     return WEFT_OK;
 }
 
-WEFT_BACKEND_EXPORT const weft_backend weft_backend_v0 = {
-    WEFT_BACKEND_HEAD(PLAIN_NAME), device_count, device_info, device_open, device_close,
-    texture_open, texture_render, texture_sample, texture_close
-};
+WEFT_BACKEND_EXPORT const weft_backend weft_backend_v0 = {WEFT_BACKEND_HEAD(PLAIN_NAME),
+                                                          device_count,
+                                                          device_info,
+                                                          device_open,
+                                                          device_close,
+                                                          texture_open,
+                                                          texture_render,
+                                                          texture_sample,
+                                                          texture_close};

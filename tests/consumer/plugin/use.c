@@ -1,5 +1,6 @@
 /* use PLAIN TINTED: renders through two plug-ins that libweft has never seen. PLAIN is a path to load, or - if
- * WEFT_BACKEND_PATH leads to it; its pixels are those of "scalar". TINTED adds 1/4, which shows whose pixels they were. */
+ * WEFT_BACKEND_PATH leads to it; its pixels are those of "scalar". TINTED adds 1/4, which shows whose pixels they were.
+ */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,12 +24,13 @@ static weft_context *open_context(const char *device)
     return context;
 }
 
-static void render(weft_context *context, const weft_model *model, uint32_t period, int64_t x, int64_t y, uint32_t level, float *out)
+static void render(weft_context *context, const weft_model *model, uint32_t period, int64_t x, int64_t y,
+                   uint32_t level, float *out)
 {
     weft_texture_options options = WEFT_TEXTURE_OPTIONS_INIT;
     weft_texture *texture = NULL;
     weft_point point[points];
-    const weft_image image = { out, 0, side, side, channels, WEFT_FORMAT_F32 };
+    const weft_image image = {out, 0, side, side, channels, WEFT_FORMAT_F32};
     int i;
     options.period_x = period * width;
     options.period_y = period * height;
@@ -36,7 +38,7 @@ static void render(weft_context *context, const weft_model *model, uint32_t peri
     demand(weft_texture_render(texture, x, y, level, NULL, NULL, &image) == WEFT_OK, "render");
     for (i = 0; i < points; ++i) {
         const float d = (float)i * 0.3f;
-        const weft_point p = { (double)x + i * 3.7, (double)y - i * 1.3, { d, 0.1f }, { -0.2f, d * 0.5f } };
+        const weft_point p = {(double)x + i * 3.7, (double)y - i * 1.3, {d, 0.1f}, {-0.2f, d * 0.5f}};
         point[i] = p;
     }
     demand(weft_texture_sample(texture, points, point, out + values) == WEFT_OK, "sample");
@@ -58,8 +60,8 @@ static int listed(const char *name, uint32_t exact)
 int main(int count, char **arguments)
 {
     static float photo[width * height * channels], a[values + points * channels], b[values + points * channels];
-    static const int64_t places[][2] = { { 0, 0 }, { -1000, 77 }, { INT64_C(1) << 40, -(INT64_C(1) << 40) } };
-    const weft_image in = { photo, 0, width, height, channels, WEFT_FORMAT_F32 };
+    static const int64_t places[][2] = {{0, 0}, {-1000, 77}, {INT64_C(1) << 40, -(INT64_C(1) << 40)}};
+    const weft_image in = {photo, 0, width, height, channels, WEFT_FORMAT_F32};
     weft_model *picture = NULL, *noise = NULL;
     weft_context *scalar, *plain, *tinted;
     uint32_t state = 5, level, period, i;
