@@ -248,12 +248,11 @@ void count_impacts(const Splat& splat, Cells& cells)
         cells.key[n] = weft_mix(cells.key[n]);
         cells.high[n] = weft_high(weft_draw(cells.key[n], 0));
     }
-    for (uint32_t n = 0; n < count; n += chunk) {
-        uint32_t high[chunk], impacts[chunk] = {};
-        __builtin_memcpy(high, cells.high + n, sizeof high);
-        for (uint32_t i = 0; i < splat.usual_counts; ++i)
-            for (uint32_t j = 0; j < chunk; ++j) impacts[j] += high[j] >= splat.counts[i] ? 1u : 0u;
-        __builtin_memcpy(cells.impacts + n, impacts, sizeof impacts);
+    for (uint32_t n = 0; n < count; n += 8) {
+        Eight high, impacts = {};
+        __builtin_memcpy(&high, cells.high + n, sizeof high);
+        for (uint32_t i = 0; i < splat.usual_counts; ++i) impacts -= Eight(high >= splat.counts[i] + Eight{});
+        put(impacts, cells.impacts + n);
     }
 }
 
