@@ -8,11 +8,16 @@ constexpr uint32_t most_cells = 64, most_candidates = 256;
 
 typedef float Pair __attribute__((vector_size(32))); ///< two texels of four planes
 typedef uint64_t States __attribute__((vector_size(32)));
+typedef uint32_t Eight __attribute__((vector_size(32)));
+typedef int32_t Whole __attribute__((vector_size(32)));
+typedef uint8_t Places __attribute__((vector_size(8)));
 typedef int32_t Four __attribute__((vector_size(16)));
 
 inline uint32_t whole_chunks(uint32_t count) { return (count + chunk - 1) / chunk * chunk; }
 
 template <class T> inline void put(const T& value, void* to) { __builtin_memcpy(to, &value, sizeof value); }
+
+template <class T> inline void clear_chunk(T* from) { __builtin_memset(from, 0, chunk * sizeof(T)); }
 
 /// A stretch of one axis of cells. Pixels are relative to that of the point.
 struct Axis {
@@ -184,21 +189,49 @@ template <uint32_t taps> void add_spline(Point& point, const Candidates& c, uint
             }
 }
 
+/// For each set of eight flags, where it has ones, and how many.
+struct Positions {
+    constexpr Positions()
+    {
+        for (uint32_t set = 0; set < 256; ++set)
+            for (uint8_t i = 0; i < 8; ++i)
+                if ((set >> i & 1) != 0) of[set][count[set]++] = i;
+    }
+
+    uint8_t of[256][8] = {};
+    uint8_t count[256] = {};
+};
+
+constexpr Positions positions;
+
+/// Lists the candidates that reach, eight at a time, so that no step waits for each flag in turn.
+inline uint32_t list_hits(Candidates& c)
+{
+    clear_chunk(c.reaches + c.count);
+    uint32_t hits = 0;
+    for (uint32_t n = 0, count = c.count; n < count; n += 8) {
+        uint64_t pairs[4];
+        __builtin_memcpy(pairs, c.reaches + n, sizeof pairs);
+        const uint64_t even = pairs[0] | pairs[1] << 2 | pairs[2] << 4 | pairs[3] << 6;
+        const uint32_t set = (weft_low(even) | uint32_t(even >> 31)) & 255;
+        Places places;
+        __builtin_memcpy(&places, positions.of[set], sizeof places);
+        put(n + __builtin_convertvector(places, Eight), c.hits + hits);
+        hits += positions.count[set];
+    }
+    return hits;
+}
+
 template <uint32_t taps> void add_candidates(Point& point, Candidates& c)
 {
-    for (uint32_t n = c.count; n < c.count + chunk; ++n) {
-        c.state[n] = 0;
-        c.x[n] = c.y[n] = 0;
-    }
+    clear_chunk(c.state + c.count);
+    clear_chunk(c.x + c.count);
+    clear_chunk(c.y + c.count);
     if (point.level == 0)
         locate_candidates<taps, true>(point, c);
     else
         locate_candidates<taps, false>(point, c);
-    uint32_t hits = 0;
-    for (uint32_t n = 0; n < c.count; ++n) {
-        c.hits[hits] = n;
-        hits += c.reaches[n];
-    }
+    const uint32_t hits = list_hits(c);
     if (taps == 2)
         add_linear(point, c, hits);
     else
@@ -209,29 +242,31 @@ template <uint32_t taps> void add_candidates(Point& point, Candidates& c)
 /// Keys, and how many of the usual thresholds each reaches.
 void count_impacts(const Splat& splat, Cells& cells)
 {
-    for (uint32_t n = cells.count; n < cells.count + chunk; ++n) cells.key[n] = 0;
+    clear_chunk(cells.key + cells.count);
     const uint32_t count = whole_chunks(cells.count);
     for (uint32_t n = 0; n < count; ++n) {
         cells.key[n] = weft_mix(cells.key[n]);
         cells.high[n] = weft_high(weft_draw(cells.key[n], 0));
-        cells.impacts[n] = 0;
     }
-    for (uint32_t i = 0; i < splat.usual_counts; ++i) {
-        const uint32_t threshold = splat.counts[i];
-        for (uint32_t n = 0; n < count; ++n) cells.impacts[n] += cells.high[n] >= threshold ? 1u : 0u;
+    for (uint32_t n = 0; n < count; n += 8) {
+        Eight high, impacts = {};
+        __builtin_memcpy(&high, cells.high + n, sizeof high);
+        for (uint32_t i = 0; i < splat.usual_counts; ++i) impacts -= Eight(high >= splat.counts[i] + Eight{});
+        put(impacts, cells.impacts + n);
     }
 }
 
-/// Lists four impacts of cell n, whether there are so many or not: the stores depend on no count.
-inline void list_four(const Point& point, const Cells& cells, uint32_t n, const States& state, Candidates& c,
-                      uint32_t to)
+/// Lists eight impacts of cell n, whether there are so many or not: the stores depend on no count.
+inline void list_eight(const Point& point, const Cells& cells, uint32_t n, const States& state, Candidates& c,
+                       uint32_t to)
 {
     put(state, c.state + to);
-    put(cells.x[n] + Four{}, c.x + to);
-    put(cells.y[n] + Four{}, c.y + to);
+    put(state + 4 * WEFT_GOLDEN, c.state + to + 4);
+    put(cells.x[n] + Whole{}, c.x + to);
+    put(cells.y[n] + Whole{}, c.y + to);
     if (!point.cut) return;
-    put(cells.pixels_x[n] + Four{}, c.pixels_x + to);
-    put(cells.pixels_y[n] + Four{}, c.pixels_y + to);
+    put(cells.pixels_x[n] + Whole{}, c.pixels_x + to);
+    put(cells.pixels_y[n] + Whole{}, c.pixels_y + to);
 }
 
 /// Adds the impacts of some cells.
@@ -240,20 +275,23 @@ template <uint32_t taps> void add_cells(Point& point, Cells& cells, Candidates& 
     const States steps = {2 * WEFT_GOLDEN, 3 * WEFT_GOLDEN, 4 * WEFT_GOLDEN, 5 * WEFT_GOLDEN};
     const Splat& splat = point.splat;
     count_impacts(splat, cells);
+    const uint32_t listed = splat.usual_counts > 9 ? 16 : 8; // of every cell: then how many there are is no branch
     uint32_t to = c.count; // in a register: the stores could change c.count, for all a compiler knows
     for (uint32_t n = 0, count = cells.count; n < count; ++n) {
         uint32_t left = cells.impacts[n];
         if (left == splat.usual_counts) left = impact_count(splat, cells.key[n]);
         States state = cells.key[n] + steps;
-        for (;; left -= 4, state += 4 * WEFT_GOLDEN) {
-            if (to > most_candidates - 4) {
+        for (;;) {
+            if (to > most_candidates - listed) {
                 c.count = to;
                 add_candidates<taps>(point, c);
                 to = 0;
             }
-            list_four(point, cells, n, state, c, to);
-            to += left < 4 ? left : 4;
-            if (left <= 4) break;
+            for (uint32_t i = 0; i < listed; i += 8, state += 8 * WEFT_GOLDEN)
+                list_eight(point, cells, n, state, c, to + i);
+            to += left < listed ? left : listed;
+            if (left <= listed) break;
+            left -= listed;
         }
     }
     c.count = to;
