@@ -34,8 +34,8 @@ struct Model {
     Planes picture;                          ///< WEFT_METHOD_PICTURE
 };
 
-/// Throws Error(WEFT_ERROR_FORMAT) unless every number is finite and every count within its bounds, and
-/// Error(WEFT_ERROR_UNSUPPORTED) for a method that is not known.
-void check_model(const Model& model);
+/// Throws Error(broken) unless every number is finite and every count within its bounds, and Error(WEFT_ERROR_UNSUPPORTED)
+/// for a method that is not known.
+void check_model(const Model& model, weft_status broken = WEFT_ERROR_FORMAT);
 
 } // namespace weft

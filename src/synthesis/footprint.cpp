@@ -1,30 +1,12 @@
 /// Singular values of the Jacobian, probes along the major axis (Galerne et al. 2017, section 5), a level for each.
 #include "synthesis/footprint.h"
+#include "base/elementary.h"
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace weft {
 
 namespace {
-
-/// log2 of a normal x >= 1, exact for powers of two: exponent, and a series in (m - 1) / (m + 1) for the mantissa.
-double log2_of(double x) noexcept
-{
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    auto exponent = static_cast<int>(bits >> 52) - 1023;
-    bits = (bits & 0x000fffffffffffffU) | 0x3ff0000000000000U;
-    double m;
-    std::memcpy(&m, &bits, sizeof m);
-    if (m > 1.4142135623730951) {
-        m *= 0.5;
-        ++exponent;
-    }
-    const double s = (m - 1) / (m + 1), s2 = s * s;
-    const double series = 1 + s2 * (1.0 / 3 + s2 * (1.0 / 5 + s2 * (1.0 / 7 + s2 * (1.0 / 9 + s2 * (1.0 / 11 + s2 * (1.0 / 13))))));
-    return exponent + 2.8853900817779268 * s * series;
-}
 
 struct Axes {
     double longer, shorter; ///< singular values of the Jacobian

@@ -1,19 +1,9 @@
 /// Poisson thresholds, by the recurrence of the probabilities.
 #include "synthesis/poisson.h"
+#include "base/elementary.h"
 #include <cmath>
 
 namespace weft {
-
-double exponential_of_minus(double x) noexcept
-{
-    constexpr double ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b3ap-40; // high * n is exact for n < 2^13
-    const auto halvings = static_cast<int>(x / (ln2_high + ln2_low) + 0.5);
-    const double r = (x - halvings * ln2_high) - halvings * ln2_low; // |r| <= ln 2 / 2
-    double sum = 1;
-    for (int k = 18; k > 0; --k) sum = 1 - r * sum / k;
-    for (int i = 0; i < halvings; ++i) sum *= 0.5;
-    return sum;
-}
 
 Array<std::uint32_t> poisson_thresholds(std::pmr::memory_resource* memory, double mean)
 {

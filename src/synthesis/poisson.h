@@ -5,9 +5,6 @@
 
 namespace weft {
 
-/// e^-x for 0 <= x <= 700, from + - * alone: the same bits with every compiler and C library.
-double exponential_of_minus(double x) noexcept;
-
 /// Thresholds for Poisson counts of mean 0 < `mean` <= most_mean: a count is how many of them a uniform 32-bit number
 /// reaches. Ascending, 1 to 255 of them; the tail that is cut off has a probability below 2^-32.
 constexpr double most_mean = 96;
