@@ -12,6 +12,13 @@ constexpr uint32_t pixel_rows = 3; ///< of a plane: those that the spline joins
 
 uint32_t rounded(uint32_t floats) { return (floats + 15) & ~uint32_t(15); }
 
+/// Sizes are often powers of two, and divisions slow.
+uint32_t lattice_index(const Lattice& lattice, uint32_t axis, int64_t cell)
+{
+    if (lattice.powers) return (uint32_t(cell) + lattice.shift[axis]) & (lattice.size[axis] - 1);
+    return weft_band_index(cell, lattice.shift[axis], lattice.size[axis]);
+}
+
 } // namespace
 
 bool Bands_block::begin(const Rows& rows, const Bands& bands, const Block& block)
@@ -25,32 +32,39 @@ bool Bands_block::begin(const Rows& rows, const Bands& bands, const Block& block
     size_t size = pixel_rows * size_t(rounded(block.width));
     for (uint32_t b = block.level; b < bands.count; ++b) {
         Span& span = spans_[b];
-        span.begin = first;
+        span.first_pair = first >> 1;
         span.odd = uint32_t(first & 1);
-        span.count = count;
         span.pairs = (count + span.odd + 1) / 2;
-        span.stride = rounded(2 * span.pairs);
+        span.stride = rounded(2 * span.pairs) + overrun;
         span.offset = size;
         size += 2 * size_t(span.stride);
-        first >>= 1;
+        first = span.first_pair;
         count = span.pairs + 1;
     }
-    const size_t widest = 2 * size_t(spans_[block.level].stride);
-    const size_t slots = size_t(bands.planes) * (bands.count * 2 + pixel_rows);
-    if (!memory_.reserve(widest + bands.planes * size) || !held_.reserve(slots)) return false;
+    const size_t total = bands.planes * size + spans_[block.level].stride;
+    if (!memory_.reserve(total) || !states_.reserve(size_t(bands.count) * bands.planes) ||
+        !pixels_.reserve(size_t(pixel_rows) * bands.planes))
+        return false;
     plane_size_ = size;
-    refined_ = memory_.data() + bands.planes * size;
-    for (size_t i = 0; i < slots; ++i) held_.data()[i] = none;
+    made_ = memory_.data() + bands.planes * size;
+    for (size_t i = 0; i < total; ++i) memory_.data()[i] = 0.0f; // what overruns read
+    for (size_t i = 0; i < size_t(pixel_rows) * bands.planes; ++i) pixels_.data()[i] = none;
+    for (uint32_t b = block.level; b < bands.count; ++b)
+        for (uint32_t p = 0; p < bands.planes; ++p) {
+            const Lattice& lattice = bands.lattices[index(p, b)];
+            states_.data()[index(p, b)] = {{none, none},
+                                           lattice.data ? lattice_index(lattice, 0, 2 * spans_[b].first_pair) : 0};
+        }
     return true;
 }
 
-/// Row y of a band's coefficients, from its first column on.
+/// Row y of a band's coefficients, from the first one that is needed.
 const float* Bands_block::row(uint32_t plane, uint32_t band, int64_t y)
 {
     const Span& span = spans_[band];
     const uint32_t slot = uint32_t(y & 1);
     float* to = memory(plane) + span.offset + slot * span.stride;
-    int64_t& held = held_.data()[size_t(plane) * (bands_->count * 2 + pixel_rows) + pixel_rows + band * 2 + slot];
+    int64_t& held = states_.data()[index(plane, band)].held[slot];
     if (held != y) make(plane, band, y, to);
     held = y;
     return to + span.odd;
@@ -58,20 +72,18 @@ const float* Bands_block::row(uint32_t plane, uint32_t band, int64_t y)
 
 void Bands_block::make(uint32_t plane, uint32_t band, int64_t y, float* to)
 {
-    const Span& span = spans_[band];
-    const Lattice& lattice = bands_->lattices[size_t(band) * bands_->planes + plane];
-    float* refined = lattice.data ? refined_ : to;
-    if (band + 1 < bands_->count) {
-        const float* above = row(plane, band + 1, y >> 1);
-        const float* below = row(plane, band + 1, (y >> 1) + 1);
-        rows_->refine(above, below, uint32_t(y & 1), span.pairs, refined);
-    } else {
-        for (uint32_t x = 0; x < 2 * span.pairs; ++x) refined[x] = 0.0f;
+    const Lattice& lattice = bands_->lattices[index(plane, band)];
+    const bool coarsest = band + 1 == bands_->count;
+    const float* above = coarsest ? nullptr : row(plane, band + 1, y >> 1);
+    const float* below = coarsest ? nullptr : row(plane, band + 1, (y >> 1) + 1);
+    Refine refine = {above, below, uint32_t(y & 1), spans_[band].pairs, nullptr, 0, 0, 0.0f};
+    if (lattice.data) {
+        refine.lattice = lattice.data + lattice.row * lattice_index(lattice, 1, y);
+        refine.first = states_.data()[index(plane, band)].column;
+        refine.size = lattice.size[0];
+        refine.weight = lattice.weight;
     }
-    if (!lattice.data) return;
-    const float* from = lattice.data + lattice.row * weft_band_index(y, lattice.shift[1], lattice.size[1]);
-    const uint32_t first = weft_band_index(span.begin, lattice.shift[0], lattice.size[0]);
-    rows_->add_lattice(refined + span.odd, from, first, lattice.size[0], lattice.weight, span.count, to + span.odd);
+    rows_->refine(refine, to);
 }
 
 /// Row y of the block's coefficients, splined along the row.
@@ -79,13 +91,11 @@ const float* Bands_block::pixels(uint32_t plane, uint32_t y)
 {
     const uint32_t slot = y % pixel_rows;
     float* to = memory(plane) + slot * size_t(rounded(block_.width));
-    int64_t& held = held_.data()[size_t(plane) * (bands_->count * 2 + pixel_rows) + slot];
+    int64_t& held = pixels_.data()[size_t(plane) * pixel_rows + slot];
     if (held == int64_t(y)) return to;
     held = int64_t(y);
-    const Span& span = spans_[block_.level];
-    float* made = refined_ + span.stride;
-    make(plane, block_.level, block_.y + y, made);
-    rows_->spline_row(made + span.odd, block_.width, to);
+    make(plane, block_.level, block_.y + y, made_);
+    rows_->spline_row(made_ + spans_[block_.level].odd, block_.width, to);
     return to;
 }
 

@@ -13,22 +13,28 @@ bool open_bands(const weft_layer& layer, weft_use use, bool padded, Buffer<Latti
 /// which its finer neighbour makes four; so nothing but rows is ever stored.
 class Bands_block {
 public:
-    explicit Bands_block(const weft_host* host) : memory_(host), held_(host) {}
+    explicit Bands_block(const weft_host* host) : memory_(host), states_(host), pixels_(host) {}
 
     bool begin(const Rows& rows, const Bands& bands, const Block& block);
     void strip(const Strip& strip);
 
 private:
-    /// Coefficients begin .. begin + count - 1 of a band's rows. They are made in pairs, the first of which may be one
-    /// column further to the left: `odd` is 1 then.
+    /// The columns of a band's rows, which are made in pairs: if `odd` is 1, the first one that is needed is the second
+    /// of a pair.
     struct Span {
-        int64_t begin;
-        uint32_t odd, count, pairs;
-        uint32_t stride;
+        int64_t first_pair;
+        uint32_t odd, pairs, stride;
         size_t offset; ///< of its two rows in a plane's memory
     };
 
+    /// What a plane has of a band: which rows there are, and where the lattice is read.
+    struct State {
+        int64_t held[2];
+        uint32_t column;
+    };
+
     float* memory(uint32_t plane) const { return memory_.data() + plane * plane_size_; }
+    size_t index(uint32_t plane, uint32_t band) const { return size_t(band) * bands_->planes + plane; }
     const float* row(uint32_t plane, uint32_t band, int64_t y);
     void make(uint32_t plane, uint32_t band, int64_t y, float* to);
     const float* pixels(uint32_t plane, uint32_t y);
@@ -37,10 +43,11 @@ private:
     const Bands* bands_ = nullptr;
     Block block_{};
     Span spans_[most_bands];
-    Buffer<float> memory_; ///< a row being refined; then plane by plane, three rows of pixels and two of each band
-    Buffer<int64_t> held_; ///< which rows those are
+    Buffer<float> memory_; ///< plane by plane, three rows of pixels and two of each band; then a row being made
+    Buffer<State> states_;
+    Buffer<int64_t> pixels_; ///< which rows of pixels there are, three for each plane
     size_t plane_size_ = 0;
-    float* refined_ = nullptr;
+    float* made_ = nullptr;
 };
 
 } // namespace weft

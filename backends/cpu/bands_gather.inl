@@ -18,14 +18,30 @@ typedef int32_t Mask __attribute__((vector_size(WEFT_LANES * 4)));
                             c + 12, d + 12)
 #endif
 
+typedef float Quad __attribute__((vector_size(16)));
+
+inline Quad load_quad(const float* from)
+{
+    Quad v;
+    __builtin_memcpy(&v, from, sizeof v);
+    return v;
+}
+
 /// Four lanes from each of `spots` addresses.
 inline Vector load_spots(const float* const* from)
 {
-    Vector v;
-    float* to = reinterpret_cast<float*>(&v);
-#pragma GCC unroll 4
-    for (uint32_t s = 0; s < spots; ++s) __builtin_memcpy(to + 4 * s, from[s], 16);
-    return v;
+#if WEFT_LANES == 4
+    return load_quad(from[0]);
+#else
+    typedef float Pair __attribute__((vector_size(32)));
+    const Pair low = __builtin_shufflevector(load_quad(from[0]), load_quad(from[1]), 0, 1, 2, 3, 4, 5, 6, 7);
+#if WEFT_LANES == 8
+    return low;
+#else
+    const Pair high = __builtin_shufflevector(load_quad(from[2]), load_quad(from[3]), 0, 1, 2, 3, 4, 5, 6, 7);
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+#endif
+#endif
 }
 
 /// How an axis is refined, per spot, in all its lanes: of the coefficients a, b, c of the coarser band come near * a +

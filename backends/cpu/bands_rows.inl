@@ -1,40 +1,99 @@
 /// BANDS, the loops over a row of a window. Included by rows.inl, inside its unnamed namespace.
 
-void refine(const float* above, const float* below, uint32_t odd, uint32_t pairs, float* __restrict row)
+#if WEFT_LANES == 1
+
+void refine(const Refine& r, float* __restrict row)
 {
-    constexpr uint32_t step = 128;
-    float v[step + 1]; // between the two rows
-    for (uint32_t begin = 0; begin < pairs; begin += step, above += step, below += step, row += 2 * step) {
-        const uint32_t count = pairs - begin < step ? pairs - begin : step;
-        if (odd != 0)
-            for (uint32_t i = 0; i <= count; ++i) v[i] = weft_refine_odd(above[i], below[i]);
-        else
-            for (uint32_t i = 0; i <= count; ++i) v[i] = weft_refine_even(above[i], below[i]);
-        for (uint32_t i = 0; i < count; ++i) {
-            row[2 * i] = weft_refine_even(v[i], v[i + 1]);
-            row[2 * i + 1] = weft_refine_odd(v[i], v[i + 1]);
+    size_t k = r.first;
+    for (size_t i = 0; i < 2 * size_t(r.pairs); ++i) {
+        float c = 0.0f;
+        if (r.above) {
+            const auto between = [&](size_t m) {
+                return r.odd != 0 ? weft_refine_odd(r.above[m], r.below[m]) : weft_refine_even(r.above[m], r.below[m]);
+            };
+            const float a = between(i / 2), b = between(i / 2 + 1);
+            c = i % 2 != 0 ? weft_refine_odd(a, b) : weft_refine_even(a, b);
         }
+        if (r.lattice) c = weft_band_add(r.weight, r.lattice[k], c);
+        k = k + 1 < r.size ? k + 1 : 0;
+        row[i] = c;
     }
 }
 
-void add_lattice(const float* refined, const float* lattice, uint32_t first, uint32_t size, float weight,
-                 uint32_t count, float* __restrict row)
+#else
+
+/// The coefficients of a pair of vectors from the lattice, which may begin again within them.
+inline const float* next_of_lattice(const Refine& r, uint32_t& k, float* copy)
 {
-    for (uint32_t x = 0; x < count; first = 0) {
-        const uint32_t rest = size - first, end = count - x < rest ? count : x + rest;
-        for (const float* from = lattice + first; x < end; ++x, ++from)
-            row[x] = weft_band_add(weight, *from, refined[x]);
+    constexpr uint32_t step = 2 * lanes;
+    const float* from = r.lattice + k;
+    if (k + step <= r.size) {
+        k = k + step < r.size ? k + step : 0;
+        return from;
+    }
+    for (uint32_t i = 0; i < step; ++i) {
+        copy[i] = r.lattice[k];
+        k = k + 1 < r.size ? k + 1 : 0;
+    }
+    return copy;
+}
+
+/// Elements of a and b in turn, from the first to the last.
+inline void interleave(Vector& first, Vector& second)
+{
+    const Vector even = first, odd = second;
+#if WEFT_LANES == 4
+    first = __builtin_shufflevector(even, odd, 0, 4, 1, 5);
+    second = __builtin_shufflevector(even, odd, 2, 6, 3, 7);
+#elif WEFT_LANES == 8
+    const Vector a = __builtin_shufflevector(even, odd, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Vector b = __builtin_shufflevector(even, odd, 2, 10, 3, 11, 6, 14, 7, 15);
+    first = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+    second = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+#else
+    first = __builtin_shufflevector(even, odd, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+    second = __builtin_shufflevector(even, odd, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+#endif
+}
+
+inline Vector between_rows(const Refine& r, size_t i, float near, float far)
+{
+    return same(near) * load(r.above + i) + same(far) * load(r.below + i);
+}
+
+void refine(const Refine& r, float* __restrict row)
+{
+    const float near = r.odd != 0 ? 0.25f : 0.75f, far = 1.0f - near;
+    float copy[2 * lanes];
+    uint32_t k = r.first;
+    for (size_t i = 0; i < r.pairs; i += lanes, row += 2 * lanes) {
+        Vector first{}, second{};
+        if (r.above) {
+            const Vector a = between_rows(r, i, near, far), b = between_rows(r, i + 1, near, far);
+            first = same(0.75f) * a + same(0.25f) * b;
+            second = same(0.25f) * a + same(0.75f) * b;
+            interleave(first, second);
+        }
+        if (r.lattice) {
+            const float* lattice = next_of_lattice(r, k, copy);
+            first = same(r.weight) * load(lattice) + first;
+            second = same(r.weight) * load(lattice + lanes) + second;
+        }
+        store(first, row);
+        store(second, row + lanes);
     }
 }
+
+#endif
 
 // At the centres of pixels, where the spline's weights are these.
-void spline_row(const float* c, uint32_t width, float* __restrict row)
+void spline_row(const float* c, size_t width, float* __restrict row)
 {
-    for (uint32_t x = 0; x < width; ++x) row[x] = weft_quadratic_sum(0.125f, 0.75f, 0.125f, c[x], c[x + 1], c[x + 2]);
+    for (size_t x = 0; x < width; ++x) row[x] = weft_quadratic_sum(0.125f, 0.75f, 0.125f, c[x], c[x + 1], c[x + 2]);
 }
 
-void spline_rows(const float* upper, const float* middle, const float* lower, uint32_t width, float* __restrict row)
+void spline_rows(const float* upper, const float* middle, const float* lower, size_t width, float* __restrict row)
 {
-    for (uint32_t x = 0; x < width; ++x)
+    for (size_t x = 0; x < width; ++x)
         row[x] = weft_quadratic_sum(0.125f, 0.75f, 0.125f, upper[x], middle[x], lower[x]);
 }

@@ -45,6 +45,17 @@ struct Bands {
     const Lattice* lattices; ///< band b of plane p is lattices[b * planes + p]
 };
 
+/// `pairs` pairs of coefficients of a row of a band: those of the next coarser band's rows `above` and `below`,
+/// refined, the first or (odd) second row between them, and a row of the lattice, from `first` on, again and again.
+struct Refine {
+    const float *above, *below; ///< null: there is no coarser band
+    uint32_t odd, pairs;
+    const float* lattice; ///< null: none
+    uint32_t first, size;
+    float weight;
+};
+constexpr uint32_t overrun = 32;
+
 /// An impact, seen from pixel (0, 0) of a block: the texel under it is `column`, `row`, counted from the level's first.
 /// That texel is data[origin]; the weights are for two taps.
 struct Impact {
@@ -125,13 +136,10 @@ struct Rows {
     /// The same on a surface: `frame` is tangent, bitangent and normal.
     void (*splat_surface)(const Splat& splat, uint32_t level, const weft_spot& spot, const float* frame, float* f);
 
-    /// `pairs` pairs of coefficients of a row of the next finer band, the first or (odd) second one between two rows.
-    void (*refine)(const float* above, const float* below, uint32_t odd, uint32_t pairs, float* row);
-    /// row = weight * lattice + refined; the lattice's row is read from `first` on, again and again.
-    void (*add_lattice)(const float* refined, const float* lattice, uint32_t first, uint32_t size, float weight,
-                        uint32_t count, float* row);
-    void (*spline_row)(const float* coefficients, uint32_t width, float* row);
-    void (*spline_rows)(const float* upper, const float* middle, const float* lower, uint32_t width, float* row);
+    /// May write up to `overrun` more coefficients, and read as many of `above` and `below`.
+    void (*refine)(const Refine& refine, float* row);
+    void (*spline_row)(const float* coefficients, size_t width, float* row);
+    void (*spline_rows)(const float* upper, const float* middle, const float* lower, size_t width, float* row);
     /// f of all planes at up to `spots` spots in the plane (2 axes) or in space (3), those of spot i at f + i * pitch.
     void (*bands_spots)(const Bands& bands, uint32_t axes, const weft_spot* spots, uint32_t count, float* f,
                         size_t pitch);

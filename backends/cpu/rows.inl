@@ -11,16 +11,17 @@ namespace weft {
 namespace WEFT_ISA {
 namespace {
 
-#include "bands_rows.inl"
 #include "impacts.inl"
 #if WEFT_LANES == 1
 #include "bands_plain.inl"
+#include "bands_rows.inl"
 #include "splat_plain.inl"
 #include "surface_plain.inl"
 #else
 #include "splat_block.inl"
 
 #include "bands_gather.inl"
+#include "bands_rows.inl"
 #include "splat_gather.inl"
 #include "surface_gather.inl"
 #endif
@@ -122,7 +123,6 @@ const Rows rows = {0,
                    splat_point,
                    splat_surface,
                    refine,
-                   add_lattice,
                    spline_row,
                    spline_rows,
                    bands_spots,
@@ -132,9 +132,9 @@ const Rows rows = {0,
                    multiply,
                    mix};
 #else
-const Rows rows = {lanes - 1,   band_apron,  strip_height,  1,      spots,       scratch,    find_impacts,
-                   splat_strip, splat_point, splat_surface, refine, add_lattice, spline_row, spline_rows,
-                   bands_spots, expand,      lerp,          tone,   multiply,    mix};
+const Rows rows = {lanes - 1,   band_apron,  strip_height,  1,        spots,      scratch,     find_impacts,
+                   splat_strip, splat_point, splat_surface, refine,   spline_row, spline_rows, bands_spots,
+                   expand,      lerp,        tone,          multiply, mix};
 #endif
 
 } // namespace WEFT_ISA

@@ -108,15 +108,6 @@ void locate_in_space(Surface& s)
     }
 }
 
-typedef float Quad __attribute__((vector_size(16))); ///< a texel of four planes
-
-inline Quad load_quad(const float* from)
-{
-    Quad v;
-    __builtin_memcpy(&v, from, sizeof v);
-    return v;
-}
-
 inline Quad fma_quad(const Quad& a, const Quad& b, const Quad& c)
 {
     Quad sum;
