@@ -16,7 +16,7 @@
  *            always means the default. A shorter struct of an older header is taken as if its tail were zero. A
  *            longer one of a newer header must be zero beyond what this library knows, else WEFT_ERROR_UNSUPPORTED;
  *            of one that is filled in, the unknown tail becomes zero. A field called `zero` counts as such a tail. A
- *            size below 4 or above 4096 is WEFT_ERROR_ARGUMENT.
+ *            size below 4 or above 4096 (of weft_wavelet 16384) is WEFT_ERROR_ARGUMENT.
  * Values     are used in the encoding they come in: sRGB in, sRGB out; data in, data out. Output is never
  *            normalised per image; integer formats are rounded to nearest and clamped.
  * Positions  are in pixels of the exemplar, x to the right and y down; a pixel (i, j) is the sample at its
@@ -221,7 +221,7 @@ typedef struct weft_model_info {
   uint32_t    width, height; /* of the texton or picture, in pixels of the exemplar */
   float       model_error;   /* relative model error against the periodogram of the photo (Xia et al. 2014): 0 best; -1: unknown */
   weft_interpolation interpolation; /* of the texton; 0 for other methods */
-  float       mean[16];      /* of the texture, per channel: exact */
+  float       mean[16];      /* of the texture, per channel: exact; of a mixed model, here and below: of its first step */
   float       deviation[16]; /* standard deviation of the texture at pixel centres, level 0, per channel */
 } weft_model_info;
 #define WEFT_MODEL_INFO_INIT { sizeof(weft_model_info), 0, 0, 0, 0, 0, 0, 0, 0, { 0 }, { 0 } }
@@ -245,7 +245,8 @@ WEFT_API weft_status weft_model_get(const weft_model *model, weft_model_info *in
 
 /* All parameters of a wavelet noise model, to read, edit and make one without a photo. Colour of channel o at x:
  *   mean[o] + sum over p of axes[p][o] * tone_p( sum over b of weight[b][p] * N_bp(x) )
- * N is wavelet noise of unit variance, band b holding 2^-(b+2)..2^-(b+1) cycles per pixel; tone_p is the monotone cubic
+ * N is wavelet noise of unit variance over the centres of pixels at level 0 (in space over all positions), band b holding
+ * 2^-(b+2)..2^-(b+1) cycles per pixel; a period too short for a band leaves it out; tone_p is the monotone cubic
  * Hermite spline through its knots, constant beyond them (Fritsch and Carlson 1980); none: tone_p(v) = v. */
 typedef struct weft_wavelet {
   uint32_t size;
@@ -259,6 +260,7 @@ typedef struct weft_wavelet {
   float    knot_y[32][16];    /* not descending */
   float    knot_slope[32][16];
 } weft_wavelet;
+#define WEFT_WAVELET_INIT { sizeof(weft_wavelet), 0, 0, 0, { 0 }, { { 0 } }, { { 0 } }, { { 0 } }, { { 0 } }, { { 0 } } }
 
 /* Sets `wavelet` (whose `size` is set) to the parameters of a wavelet noise model. UNSUPPORTED: the model is no such. */
 WEFT_API weft_status weft_model_get_wavelet(const weft_model *model, weft_wavelet *wavelet) WEFT_NOEXCEPT;
@@ -274,7 +276,7 @@ WEFT_API weft_status weft_model_mix(weft_context *context, const weft_model *a, 
 /* What a model holds, as images for people and for other programs. */
 typedef struct weft_part_info {
   uint32_t size;
-  char     name[32]; /* "texton", "picture" */
+  char     name[32]; /* "texton", "picture"; of a mixed model "texton 0", "texton 1", ... */
   uint32_t width, height, channels;
   float    low, high; /* least and greatest value in it */
 } weft_part_info;
@@ -326,7 +328,8 @@ WEFT_API weft_status weft_texture_sample(const weft_texture *texture, size_t cou
 
 /* A position in space and an orthonormal tangent frame (normal = tangent x bitangent), in pixels of the exemplar: noise on a
  * surface without texture coordinates (Galerne et al. 2017, section 6). Textures of texton models only, without periods
- * and mix; the default mean number of impacts is 60 here. Otherwise as weft_texture_sample. */
+ * and mix (ARGUMENT, else UNSUPPORTED); the default mean number of impacts is 60 here. The first call for a texture prepares,
+ * and allocates; otherwise as weft_texture_sample. */
 typedef struct weft_surface_point {
   double position[3];
   float  tangent[3];
@@ -335,7 +338,8 @@ typedef struct weft_surface_point {
 WEFT_API weft_status weft_texture_sample_surface(const weft_texture *texture, size_t count, const weft_surface_point *points,
                                                  float *out) WEFT_NOEXCEPT;
 
-/* A position in space and the width of its footprint in pixels: solid textures. Wavelet models only, without periods. */
+/* A position in space and the width of its footprint in pixels: solid textures. Wavelet models only, without periods.
+ * Otherwise as weft_texture_sample_surface. */
 typedef struct weft_solid_point {
   double position[3];
   float  footprint;

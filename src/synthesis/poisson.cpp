@@ -42,4 +42,21 @@ std::uint32_t choose_cell_log2(double rate, double width, double height, std::ui
     return best;
 }
 
+std::uint32_t choose_cell_log2_in_space(double rate, double side) noexcept
+{
+    constexpr double cell_cost = 2, diagonal = 1.7320508075688772;
+    std::uint32_t best = 0;
+    double least = 0;
+    for (std::uint32_t log2 = 0; log2 <= 15; ++log2) {
+        const double edge = static_cast<double>(1U << log2), reach = diagonal * side + edge;
+        if (log2 > 0 && rate * edge * edge * edge > most_mean) break;
+        const double volume = reach * reach * reach, cost = cell_cost * volume / (edge * edge * edge) + volume * rate;
+        if (log2 == 0 || cost < least) {
+            best = log2;
+            least = cost;
+        }
+    }
+    return best;
+}
+
 } // namespace weft
