@@ -9,8 +9,9 @@
 namespace weft {
 namespace {
 
-constexpr std::uint64_t most_samples = 1U << 17;
+constexpr std::uint64_t most_samples = 1U << 16;
 constexpr std::uint32_t most_entries = 1024; ///< of the table of scores
+constexpr std::uint32_t hints = 2048; ///< equal intervals of values, each of which knows where its entries begin
 constexpr double farthest_score = 4.5;
 constexpr double farthest_knot = 3.5; ///< beyond are 5 of 10000 pixels
 constexpr std::uint32_t grid = 256;   ///< intervals between the first and the last knot, at whose ends knots may be
@@ -87,6 +88,17 @@ Normal_scores::Normal_scores(Core& core, const float* values, std::size_t count)
         values_[size_] = value;
         scores_[size_++] = static_cast<float>(normal_quantile(rank / static_cast<double>(n)));
     }
+    hints_ = Array<std::uint32_t>(&core.memory, hints + 1);
+    for (std::uint32_t i = 0, entry = 0; i <= hints; ++i) {
+        while (entry + 1 < size_ && hint_of(values_[entry + 1]) < i) ++entry;
+        hints_[i] = entry;
+    }
+}
+
+std::uint32_t Normal_scores::hint_of(float value) const noexcept
+{
+    const float width = values_[size_ - 1] - values_[0], place = (value - values_[0]) / std::max(width, 1e-30f) * hints;
+    return static_cast<std::uint32_t>(std::clamp(place, 0.0f, static_cast<float>(hints - 1)));
 }
 
 void Normal_scores::apply(Core& core, float* values, std::size_t count, float factor) const
@@ -95,8 +107,9 @@ void Normal_scores::apply(Core& core, float* values, std::size_t count, float fa
     for_each_run(core.parallel, static_cast<std::uint32_t>((count + step - 1) / step), [&](std::uint32_t first, std::uint32_t last) {
         for (std::size_t i = first * step; i < std::min(count, last * step); ++i) {
             const float value = values[i];
-            std::size_t low = 0;
-            for (std::size_t length = size_; length > 1; length -= length / 2) // the last entry not above, or the first
+            const std::uint32_t hint = hint_of(value);
+            std::size_t low = hints_[hint];
+            for (std::size_t length = hints_[hint + 1] - low + 1; length > 1; length -= length / 2) // the last entry not above, or the first
                 low += values_[low + length / 2] <= value ? length / 2 : 0;
             const std::size_t high = std::min(low + 1, size_ - 1);
             const float width = values_[high] - values_[low];

@@ -9,7 +9,7 @@ namespace weft {
 /// The values of a picture against the normal numbers of their ranks, both ascending.
 class Normal_scores {
 public:
-    /// Of at most 2^17 pixels, evenly spread.
+    /// Of at most 2^16 pixels, evenly spread.
     Normal_scores(Core& core, const float* values, std::size_t count);
 
     /// values <- factor * their scores.
@@ -20,8 +20,11 @@ public:
     float greatest_score() const noexcept { return scores_[size_ - 1]; }
 
 private:
+    std::uint32_t hint_of(float value) const noexcept;
+
     std::size_t size_ = 0;
     Array<float> values_, scores_;
+    Array<std::uint32_t> hints_; ///< the last entry below each of equal intervals of values
 };
 
 /// Sets the knots of `axis`: the curve that makes values / unit of normal numbers of standard deviation `deviation`, of mean
