@@ -5,7 +5,7 @@
 
 namespace weft {
 
-/// The lattices of a layer, ready to be evaluated; with `padded`, points want copies in `data` that do not wrap around.
+/// The lattices of a layer, ready to be evaluated; with `padded`, as copies in `data` that do not wrap around at once.
 bool open_bands(const weft_layer& layer, weft_use use, bool padded, Buffer<Lattice>& lattices, Buffer<float>& data,
                 Bands& bands);
 

@@ -6,7 +6,9 @@ namespace weft {
 
 namespace {
 
-constexpr uint32_t more_columns = 3, more_lines = 2; ///< a vector of four columns, three rows, three slices
+/// What is read behind the last coefficient: in windows two vectors of columns, at positions a vector of four columns,
+/// three rows and three slices.
+constexpr uint32_t more_in_window = overrun, more_columns = 3, more_lines = 2;
 
 bool is_power(uint32_t size) { return (size & (size - 1)) == 0; }
 
@@ -35,9 +37,11 @@ struct Copied {
     size_t size() const { return size_t(columns) * rows * slices; }
 };
 
-Copied copied(const Lattice& lattice, bool solid)
+Copied copied(const Lattice& lattice, weft_use use)
 {
-    return {lattice.size[0] + more_columns, lattice.size[1] + more_lines, solid ? lattice.size[2] + more_lines : 1};
+    if (use == WEFT_USE_WINDOW) return {lattice.size[0] + more_in_window, lattice.size[1], 1};
+    const uint32_t slices = use == WEFT_USE_SOLID ? lattice.size[2] + more_lines : 1;
+    return {lattice.size[0] + more_columns, lattice.size[1] + more_lines, slices};
 }
 
 bool same(const weft_band& a, const weft_band& b)
@@ -66,11 +70,11 @@ void copy(Lattice& lattice, const Copied& shape, float* to)
         }
 }
 
-bool copy_lattices(const weft_bands& source, uint32_t count, bool solid, Lattice* lattices, Buffer<float>& data)
+bool copy_lattices(const weft_bands& source, uint32_t count, weft_use use, Lattice* lattices, Buffer<float>& data)
 {
     size_t total = 0;
     for (uint32_t i = 0; i < count; ++i)
-        if (lattices[i].data && first_alike(source.bands, i) == i) total += copied(lattices[i], solid).size();
+        if (lattices[i].data && first_alike(source.bands, i) == i) total += copied(lattices[i], use).size();
     if (!data.reserve(total)) return false;
     float* to = data.data();
     for (uint32_t i = 0; i < count; ++i) {
@@ -78,7 +82,7 @@ bool copy_lattices(const weft_bands& source, uint32_t count, bool solid, Lattice
         if (!lattice.data) continue;
         const uint32_t first = first_alike(source.bands, i);
         if (first == i) {
-            const Copied shape = copied(lattice, solid);
+            const Copied shape = copied(lattice, use);
             copy(lattice, shape, to);
             to += shape.size();
         } else {
@@ -101,8 +105,7 @@ bool open_bands(const weft_layer& layer, weft_use use, bool padded, Buffer<Latti
     for (uint32_t i = 0; i < count; ++i)
         lattices.data()[i] = source.bands[i].lattice ? lattice_of(source.bands[i]) : Lattice{};
     bands = {used, layer.planes, lattices.data()};
-    return !padded || use == WEFT_USE_WINDOW ||
-           copy_lattices(source, count, use == WEFT_USE_SOLID, lattices.data(), data);
+    return !padded || copy_lattices(source, count, use, lattices.data(), data);
 }
 
 } // namespace weft

@@ -20,23 +20,19 @@ void refine(const Refine& r, float* __restrict row)
     }
 }
 
-#else
-
-/// The coefficients of a pair of vectors from the lattice, which may begin again within them.
-inline const float* next_of_lattice(const Refine& r, uint32_t& k, float* copy)
+/// At the centres of pixels, where the spline's weights are these.
+void spline_row(const float* c, size_t width, float* __restrict row)
 {
-    constexpr uint32_t step = 2 * lanes;
-    const float* from = r.lattice + k;
-    if (k + step <= r.size) {
-        k = k + step < r.size ? k + step : 0;
-        return from;
-    }
-    for (uint32_t i = 0; i < step; ++i) {
-        copy[i] = r.lattice[k];
-        k = k + 1 < r.size ? k + 1 : 0;
-    }
-    return copy;
+    for (size_t x = 0; x < width; ++x) row[x] = weft_quadratic_sum(0.125f, 0.75f, 0.125f, c[x], c[x + 1], c[x + 2]);
 }
+
+void spline_rows(const float* upper, const float* middle, const float* lower, size_t width, float* __restrict row)
+{
+    for (size_t x = 0; x < width; ++x)
+        row[x] = weft_quadratic_sum(0.125f, 0.75f, 0.125f, upper[x], middle[x], lower[x]);
+}
+
+#else
 
 /// Elements of a and b in turn, from the first to the last.
 inline void interleave(Vector& first, Vector& second)
@@ -64,36 +60,44 @@ inline Vector between_rows(const Refine& r, size_t i, float near, float far)
 void refine(const Refine& r, float* __restrict row)
 {
     const float near = r.odd != 0 ? 0.25f : 0.75f, far = 1.0f - near;
-    float copy[2 * lanes];
     uint32_t k = r.first;
+    Vector next = r.above ? between_rows(r, 0, near, far) : Vector{};
     for (size_t i = 0; i < r.pairs; i += lanes, row += 2 * lanes) {
         Vector first{}, second{};
         if (r.above) {
-            const Vector a = between_rows(r, i, near, far), b = between_rows(r, i + 1, near, far);
+            const Vector a = next;
+            next = between_rows(r, i + lanes, near, far);
+            const Vector b = shift(a, next);
             first = same(0.75f) * a + same(0.25f) * b;
             second = same(0.25f) * a + same(0.75f) * b;
             interleave(first, second);
         }
-        if (r.lattice) {
-            const float* lattice = next_of_lattice(r, k, copy);
-            first = same(r.weight) * load(lattice) + first;
-            second = same(r.weight) * load(lattice + lanes) + second;
+        if (r.lattice) { // a row is longer than its size by two vectors at least
+            first = same(r.weight) * load(r.lattice + k) + first;
+            second = same(r.weight) * load(r.lattice + k + lanes) + second;
+            k += 2 * lanes;
+            if (k >= r.size) k = r.size >= 2 * lanes ? k - r.size : k % r.size;
         }
         store(first, row);
         store(second, row + lanes);
     }
 }
 
-#endif
+/// At the centres of pixels, where the spline's weights are these.
+inline Vector spline(const Vector& a, const Vector& b, const Vector& c)
+{
+    return same(0.125f) * a + (same(0.75f) * b + same(0.125f) * c);
+}
 
-// At the centres of pixels, where the spline's weights are these.
 void spline_row(const float* c, size_t width, float* __restrict row)
 {
-    for (size_t x = 0; x < width; ++x) row[x] = weft_quadratic_sum(0.125f, 0.75f, 0.125f, c[x], c[x + 1], c[x + 2]);
+    for (size_t x = 0; x < width; x += lanes) store(spline(load(c + x), load(c + x + 1), load(c + x + 2)), row + x);
 }
 
 void spline_rows(const float* upper, const float* middle, const float* lower, size_t width, float* __restrict row)
 {
-    for (size_t x = 0; x < width; ++x)
-        row[x] = weft_quadratic_sum(0.125f, 0.75f, 0.125f, upper[x], middle[x], lower[x]);
+    for (size_t x = 0; x < width; x += lanes)
+        store(spline(load(upper + x), load(middle + x), load(lower + x)), row + x);
 }
+
+#endif

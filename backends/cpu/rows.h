@@ -122,7 +122,7 @@ struct Rows {
     uint32_t apron; ///< zeros that kernels want right of every row of texels and left of the first; 0: none, no copy
     uint32_t apron_rows;   ///< ... above and below every image
     uint32_t strip_height; ///< rows of a strip, liked best
-    uint32_t interleaved;  ///< 1: points want texels of four planes side by side, and lattices that do not wrap around
+    uint32_t interleaved;  ///< 1: points want texels of four planes side by side, and lattices are padded
     uint32_t spots;        ///< bands_spots takes so many at once, at most most_spots
 
     /// Bytes of scratch that splat_strip needs for that many impacts.
@@ -136,7 +136,7 @@ struct Rows {
     /// The same on a surface: `frame` is tangent, bitangent and normal.
     void (*splat_surface)(const Splat& splat, uint32_t level, const weft_spot& spot, const float* frame, float* f);
 
-    /// May write up to `overrun` more coefficients, and read as many of `above` and `below`.
+    /// These may read and write up to `overrun` floats more, but no more than a multiple of 16 of a row of pixels.
     void (*refine)(const Refine& refine, float* row);
     void (*spline_row)(const float* coefficients, size_t width, float* row);
     void (*spline_rows)(const float* upper, const float* middle, const float* lower, size_t width, float* row);
