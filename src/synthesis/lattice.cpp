@@ -1,6 +1,7 @@
 /// R - R down-up for even sides; a pyramid without decimation for all others.
 #include "synthesis/lattice.h"
 #include "base/hash.h"
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -43,13 +44,13 @@ void subtract(Torus& from, const Torus& what, Parallel& parallel)
 double power_of(Core& core, const Torus& lattice, const Taps& overlap)
 {
     Torus a(&core.memory, lattice.sides), b(&core.memory, lattice.sides);
-    correlate(lattice, a, 0, overlap, 1, core.parallel);
-    correlate(a, b, 1, overlap, 1, core.parallel);
+    correlate(core, lattice, a, 0, overlap, 1);
+    correlate(core, a, b, 1, overlap, 1);
     if (lattice.sides.axes() == 3) {
-        correlate(b, a, 2, overlap, 1, core.parallel);
+        correlate(core, b, a, 2, overlap, 1);
         std::swap(a, b);
     }
-    return inner_product(lattice, b, &core.memory, core.parallel) / static_cast<double>(lattice.values.size());
+    return inner_product(core, lattice, b) / static_cast<double>(lattice.values.size());
 }
 
 Torus make_wavelet_lattice(Core& core, const Sides& sides, std::uint64_t key, const Wavelet_filters& filters)
@@ -57,9 +58,9 @@ Torus make_wavelet_lattice(Core& core, const Sides& sides, std::uint64_t key, co
     Torus noise(&core.memory, sides), a(&core.memory, sides), b(&core.memory, sides);
     fill_with_white_noise(noise, key, core.parallel);
     for (unsigned axis = 0; axis < sides.axes(); ++axis) {
-        correlate(axis == 0 ? noise : b, a, axis, filters.analysis, 1, core.parallel);
+        correlate(core, axis == 0 ? noise : b, a, axis, filters.analysis, 1);
         keep_even(a, axis, core.parallel);
-        correlate(a, b, axis, filters.refinement, 1, core.parallel);
+        correlate(core, a, b, axis, filters.refinement, 1);
     }
     subtract(noise, b, core.parallel);
     std::copy_n(noise.values.data(), noise.values.size(), a.values.data());
@@ -77,7 +78,7 @@ Torus make_octaves(Core& core, const Sides& sides, std::uint64_t key, const Wave
     double expected = 0.1; // an octave holds a quarter of the next finer one's power
     for (std::uint32_t octave = 0; octave < octaves; ++octave, expected *= 0.25) {
         for (unsigned axis = 0; axis < sides.axes(); ++axis) {
-            correlate(axis == 0 ? noise : b, a, axis, filters.low_pass, 1U << octave, core.parallel);
+            correlate(core, axis == 0 ? noise : b, a, axis, filters.low_pass, 1U << octave);
             std::swap(a, b);
         }
         subtract(noise, b, core.parallel);

@@ -16,6 +16,23 @@ void add_rotated(float* to, const float* from, std::uint32_t n, std::uint32_t sh
     for (std::uint32_t i = straight; i < n; ++i) to[i] += factor * from[i - straight];
 }
 
+/// to[i] = sum over taps of value * source[i]; four at a time, in their order.
+void sum_rows(float* to, const float* const* sources, const Taps& taps, std::uint32_t n) noexcept
+{
+    std::fill_n(to, n, 0.0F);
+    std::uint32_t j = 0;
+    for (; j + 4 <= taps.count; j += 4) {
+        const float *a = sources[j], *b = sources[j + 1], *c = sources[j + 2], *d = sources[j + 3];
+        const float va = taps.value[j], vb = taps.value[j + 1], vc = taps.value[j + 2], vd = taps.value[j + 3];
+        for (std::uint32_t i = 0; i < n; ++i) to[i] = (((to[i] + va * a[i]) + vb * b[i]) + vc * c[i]) + vd * d[i];
+    }
+    for (; j < taps.count; ++j) {
+        const float* a = sources[j];
+        const float va = taps.value[j];
+        for (std::uint32_t i = 0; i < n; ++i) to[i] += va * a[i];
+    }
+}
+
 std::uint32_t reduce(std::int64_t index, std::uint32_t n) noexcept
 {
     const std::int64_t rest = index % n;
@@ -41,21 +58,22 @@ void for_each_row(const Torus& torus, Parallel& parallel, const std::function<vo
     parallel.for_each_index(static_cast<std::uint32_t>((torus.rows() + step - 1) / step), std::ref(work));
 }
 
-void correlate(const Torus& from, Torus& to, unsigned axis, const Taps& taps, std::uint32_t dilation, Parallel& parallel)
+void correlate(Core& core, const Torus& from, Torus& to, unsigned axis, const Taps& taps, std::uint32_t dilation)
 {
     const Sides sides = from.sides;
+    const std::uint32_t n = sides.width;
     const auto filter = [&](std::size_t r) {
-        float* result = to.row(r);
-        std::fill_n(result, sides.width, 0.0F);
+        Array<float> twice(&core.memory, axis == 0 ? std::size_t{2} * n : 0, Array<float>::unset); // so that no tap is split
+        if (axis == 0)
+            for (std::uint32_t half = 0; half < 2; ++half) std::copy_n(from.row(r), n, &twice[std::size_t{half} * n]);
+        const float* sources[sizeof taps.value / sizeof(float)];
         for (std::uint32_t j = 0; j < taps.count; ++j) {
             const std::uint32_t offset = reduce((taps.first + std::int64_t{j}) * dilation, sides[axis]);
-            if (axis == 0)
-                add_rotated(result, from.row(r), sides.width, offset, taps.value[j]);
-            else
-                add_rotated(result, from.row(row_beyond(sides, r, axis, offset)), sides.width, 0, taps.value[j]);
+            sources[j] = axis == 0 ? &twice[offset] : from.row(row_beyond(sides, r, axis, offset));
         }
+        sum_rows(to.row(r), sources, taps, n);
     };
-    for_each_row(to, parallel, std::ref(filter));
+    for_each_row(to, core.parallel, std::ref(filter));
 }
 
 void add_shifted(const Torus& from, Torus& to, const Sides& shift, float factor, Parallel& parallel)
@@ -83,15 +101,15 @@ void fill_with_white_noise(Torus& torus, std::uint64_t key, Parallel& parallel)
     parallel.for_each_index(static_cast<std::uint32_t>((count + step - 1) / step), std::ref(work));
 }
 
-double inner_product(const Torus& a, const Torus& b, std::pmr::memory_resource* memory, Parallel& parallel)
+double inner_product(Core& core, const Torus& a, const Torus& b)
 {
-    Array<double> sums(memory, a.rows(), Array<double>::unset);
+    Array<double> sums(&core.memory, a.rows(), Array<double>::unset);
     const auto multiply = [&](std::size_t r) {
         double sum = 0;
         for (std::uint32_t i = 0; i < a.sides.width; ++i) sum += static_cast<double>(a.row(r)[i]) * static_cast<double>(b.row(r)[i]);
         sums[r] = sum;
     };
-    for_each_row(a, parallel, std::ref(multiply));
+    for_each_row(a, core.parallel, std::ref(multiply));
     double total = 0;
     for (const double sum : sums) total += sum;
     return total;

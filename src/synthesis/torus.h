@@ -1,7 +1,8 @@
 /// Lattices of numbers on a torus, and filters along their axes.
 #pragma once
 #include "base/array.h"
-#include "base/parallel.h"
+#include "base/core.h"
+#include <functional>
 
 namespace weft {
 
@@ -35,7 +36,7 @@ struct Taps {
 };
 
 /// to[i] = sum over taps of value * from[i + dilation * offset], along one axis: 0 is x.
-void correlate(const Torus& from, Torus& to, unsigned axis, const Taps& taps, std::uint32_t dilation, Parallel& parallel);
+void correlate(Core& core, const Torus& from, Torus& to, unsigned axis, const Taps& taps, std::uint32_t dilation);
 
 /// Calls row(r) for each row of the torus.
 void for_each_row(const Torus& torus, Parallel& parallel, const std::function<void(std::size_t)>& row);
@@ -47,6 +48,6 @@ void add_shifted(const Torus& from, Torus& to, const Sides& shift, float factor,
 void fill_with_white_noise(Torus& torus, std::uint64_t key, Parallel& parallel);
 
 /// The sum of a * b over all coefficients.
-double inner_product(const Torus& a, const Torus& b, std::pmr::memory_resource* memory, Parallel& parallel);
+double inner_product(Core& core, const Torus& a, const Torus& b);
 
 } // namespace weft
