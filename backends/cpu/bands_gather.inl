@@ -115,33 +115,52 @@ inline uint32_t first_index(const Lattice& lattice, uint32_t axis, int64_t cell)
     return weft_band_index(cell, lattice.shift[axis], lattice.size[axis]);
 }
 
+/// Where the lattices of a band are read, for each plane and spot.
+struct Sources {
+    const float* from[most_together][spots];
+};
+
+/// Finds the first coefficients, and asks for all of them before they are needed: most of the time goes by with waiting
+/// for memory otherwise.
+template <uint32_t slices>
+inline void find_sources(const Lattice* lattices, uint32_t planes, const Lanes& at, uint32_t band, Sources& sources)
+{
+    for (uint32_t p = 0; p < planes; ++p) {
+        const Lattice& lattice = lattices[p];
+        if (!lattice.data) continue;
+        for (uint32_t s = 0; s < spots; ++s) {
+            const int64_t* pixel = at.at[s]->cell;
+            const float* from = lattice.data + first_index(lattice, 1, weft_band_cell(pixel[1], band)) * lattice.row +
+                                first_index(lattice, 0, weft_band_cell(pixel[0], band));
+            if (slices > 1) from += first_index(lattice, 2, weft_band_cell(pixel[2], band)) * lattice.slice;
+            sources.from[p][s] = from;
+#pragma GCC unroll 9
+            for (uint32_t y = 0; y < 3 * slices; ++y)
+                __builtin_prefetch(from + y / 3 * lattice.slice + y % 3 * lattice.row);
+        }
+    }
+}
+
 /// c = weight * lattice + c, of `slices` times three rows.
 template <uint32_t slices>
-inline void add_coefficients(const Lattice& lattice, const Lanes& at, uint32_t band, Vector* c)
+inline void add_coefficients(const Lattice& lattice, const float* const* from, const Vector& weight, Vector* c)
 {
-    const Vector weight = at.weight(lattice, band);
-    const float* from[spots];
-    for (uint32_t s = 0; s < spots; ++s) {
-        const int64_t* pixel = at.at[s]->cell;
-        from[s] = lattice.data + first_index(lattice, 1, weft_band_cell(pixel[1], band)) * lattice.row +
-                  first_index(lattice, 0, weft_band_cell(pixel[0], band));
-        if (slices > 1) from[s] += first_index(lattice, 2, weft_band_cell(pixel[2], band)) * lattice.slice;
-    }
-    for (uint32_t z = 0; z < slices; ++z) {
+#pragma GCC unroll 9
+    for (uint32_t y = 0; y < 3 * slices; ++y) {
         const float* row[spots];
-        for (uint32_t s = 0; s < spots; ++s) row[s] = from[s] + z * lattice.slice;
-        for (uint32_t y = 0; y < 3; ++y) {
-            c[3 * z + y] = weight * load_spots(row) + c[3 * z + y];
-            for (uint32_t s = 0; s < spots; ++s) row[s] += lattice.row;
-        }
+        for (uint32_t s = 0; s < spots; ++s) row[s] = from[s] + y / 3 * lattice.slice + y % 3 * lattice.row;
+        c[y] = weight * load_spots(row) + c[y];
     }
 }
 
 template <uint32_t slices> inline void refine_all(const Parity* parity, Vector* c)
 {
     if (slices > 1)
+#pragma GCC unroll 3
         for (uint32_t y = 0; y < 3; ++y) refine_lines(parity[2], c[y], c[3 + y], c[6 + y]);
+#pragma GCC unroll 3
     for (uint32_t z = 0; z < slices; ++z) refine_lines(parity[1], c[3 * z], c[3 * z + 1], c[3 * z + 2]);
+#pragma GCC unroll 9
     for (uint32_t y = 0; y < 3 * slices; ++y) c[y] = refine_lanes(parity[0], c[y]);
 }
 
@@ -185,13 +204,21 @@ template <uint32_t slices> void bands_lanes(const Bands& bands, const Lanes& at,
     for (uint32_t first = 0; first < bands.planes; first += most_together) {
         const uint32_t planes = bands.planes - first < most_together ? bands.planes - first : most_together;
         for (uint32_t i = 0; i < planes * lines; ++i) c[i] = Vector{};
+        Sources sources[2]; // of odd and of even bands
+        const auto lattices_of = [&](uint32_t b) { return bands.lattices + size_t(b) * bands.planes + first; };
+        find_sources<slices>(lattices_of(bands.count - 1), planes, at, bands.count - 1, sources[(bands.count - 1) & 1]);
         for (uint32_t b = bands.count; b-- > at.level;) {
-            const Lattice* lattices = bands.lattices + size_t(b) * bands.planes + first;
+            const Lattice* lattices = lattices_of(b);
+            if (b > at.level) find_sources<slices>(lattices_of(b - 1), planes, at, b - 1, sources[(b - 1) & 1]);
             const Parity parity[3] = {for_lanes(parity_of(at.at, 0, b)), parity_of(at.at, 1, b),
                                       parity_of(at.at, slices > 1 ? 2 : 1, b)};
             for (uint32_t p = 0; p < planes; ++p) {
-                if (b + 1 < bands.count) refine_all<slices>(parity, c + p * lines);
-                if (lattices[p].data) add_coefficients<slices>(lattices[p], at, b, c + p * lines);
+                Vector v[lines]; // in registers
+                for (uint32_t i = 0; i < lines; ++i) v[i] = c[p * lines + i];
+                if (b + 1 < bands.count) refine_all<slices>(parity, v);
+                if (lattices[p].data)
+                    add_coefficients<slices>(lattices[p], sources[b & 1].from[p], at.weight(lattices[p], b), v);
+                for (uint32_t i = 0; i < lines; ++i) c[p * lines + i] = v[i];
             }
         }
         for (uint32_t p = 0; p < planes; ++p) {
