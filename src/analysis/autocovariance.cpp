@@ -7,20 +7,9 @@
 namespace weft {
 namespace {
 
-/// The least length from `least` on with no prime factor above 5: transforms of such lengths are fast.
-std::uint32_t fast_length(std::uint32_t least) noexcept
-{
-    for (std::uint32_t length = least;; ++length) {
-        std::uint32_t rest = length;
-        for (const std::uint32_t factor : {2u, 3u, 5u})
-            while (rest % factor == 0) rest /= factor;
-        if (rest == 1) return length;
-    }
-}
-
 /// `lags` <- the mean products at its lags; `padded` and `spectra` are room to work in.
-void correlate(const PlaneTransform& transform, const float* plane, std::uint32_t width, std::uint32_t height, double scale,
-               Planes& padded, Spectra& spectra, Planes& lags, std::uint32_t channel)
+void correlate(const PlaneTransform& transform, const float* plane, std::uint32_t width, std::uint32_t height,
+               double scale, Planes& padded, Spectra& spectra, Planes& lags, std::uint32_t channel)
 {
     std::fill(padded.values.begin(), padded.values.end(), 0.0f);
     for (std::size_t y = 0; y < height; ++y) std::copy_n(plane + y * width, width, padded.row(0, y));
@@ -31,8 +20,10 @@ void correlate(const PlaneTransform& transform, const float* plane, std::uint32_
     for (std::uint32_t y = 0; y < lags.height; ++y)
         for (std::uint32_t x = 0; x < lags.width; ++x) {
             const std::int64_t lag_x = std::int64_t{x} - lags.width / 2, lag_y = std::int64_t{y} - lags.height / 2;
-            const float sum = padded.row(0, (lag_y + padded.height) % padded.height)[(lag_x + padded.width) % padded.width];
-            const double pairs = static_cast<double>(width - std::abs(lag_x)) * static_cast<double>(height - std::abs(lag_y));
+            const auto row = static_cast<std::size_t>((lag_y + padded.height) % padded.height);
+            const float sum = padded.row(0, row)[(lag_x + padded.width) % padded.width];
+            const double pairs =
+                static_cast<double>(width - std::abs(lag_x)) * static_cast<double>(height - std::abs(lag_y));
             lags.row(channel, y)[x] = static_cast<float>(static_cast<double>(sum) * unit / pairs);
         }
 }
@@ -43,7 +34,8 @@ void autocovariance(Core& core, const weft_image& image, const weft_image& covar
 {
     Planes planes = read_image(image, &core.memory, core.parallel, "weft_autocovariance", "image");
     const Centring centring = centre(core, planes);
-    Planes padded(&core.memory, fast_length(image.width + covariance.width / 2), fast_length(image.height + covariance.height / 2), 1);
+    Planes padded(&core.memory, fast_length(image.width + covariance.width / 2),
+                  fast_length(image.height + covariance.height / 2), 1);
     Spectra spectra(&core.memory, padded.width, padded.height, 1);
     const PlaneTransform transform(core, padded.width, padded.height);
     Planes lags(&core.memory, covariance.width, covariance.height, covariance.channels);

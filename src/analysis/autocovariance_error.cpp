@@ -9,7 +9,8 @@ namespace weft {
 double autocovariance_error(Core& core, const Pair& pair, std::uint64_t seed, const Progress& progress)
 {
     if (!pair.exemplar_varies) return undefined;
-    const std::uint32_t side = std::min({pair.exemplar.width, pair.exemplar.height, pair.output.width, pair.output.height});
+    const std::uint32_t side =
+        std::min({pair.exemplar.width, pair.exemplar.height, pair.output.width, pair.output.height});
     const std::uint32_t reach = std::min(32u, side / 2);
     const double zero[most_channels] = {}; // the exemplar's mean in a pair
     const LagCovariance a = lag_covariance_of(core, pair.exemplar, zero, reach, seed, progress.part(0, 0.4));
@@ -21,7 +22,8 @@ double autocovariance_error(Core& core, const Pair& pair, std::uint64_t seed, co
             for (std::int64_t x = -far; x <= far; ++x) {
                 const double weight = 1 - std::sqrt(static_cast<double>(x * x + y * y)) / (reach + 1.0);
                 if (weight <= 0 || (y == 0 && x < 0)) continue; // the other half of the lags is the same
-                const double times = x == 0 && y == 0 ? 1 : 2, u = a.values[a.index(c, x, y)], v = b.values[b.index(c, x, y)];
+                const double times = x == 0 && y == 0 ? 1 : 2, u = a.values[a.index(c, x, y)],
+                             v = b.values[b.index(c, x, y)];
                 difference += times * weight * (v - u) * (v - u);
                 power += times * weight * u * u;
             }

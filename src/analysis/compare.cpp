@@ -48,8 +48,8 @@ void compare(Core& core, const weft_image& exemplar, const weft_image& output, c
     result.histogram_distance = narrow(histogram_distance(core, pair, options.seed, progress.part(0.16, 0.3)));
     result.autocovariance_error = narrow(autocovariance_error(core, pair, options.seed, progress.part(0.3, 0.38)));
     for (std::uint32_t level = 0; level < 3; ++level)
-        result.patch_distance_level[level] =
-            narrow(patch_distance(core, pair, level, options.seed, progress.part(0.38 + 0.12 * level, 0.5 + 0.12 * level)));
+        result.patch_distance_level[level] = narrow(
+            patch_distance(core, pair, level, options.seed, progress.part(0.38 + 0.12 * level, 0.5 + 0.12 * level)));
     result.patch_distance = narrow(mean_of_levels(result));
     result.repetition = narrow(repetition(core, pair, options.seed, progress.part(0.74, 0.82)));
     result.verbatim_copy = narrow(verbatim_copy(core, pair, options.seed, progress.part(0.82, 0.98)));

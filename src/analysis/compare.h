@@ -6,7 +6,7 @@
 namespace weft {
 
 /// `comparison->size` is set by the caller; all else is filled.
-void compare(Core& core, const weft_image& exemplar, const weft_image& output, const weft_compare_options& options, const Progress& progress,
-             weft_comparison& comparison);
+void compare(Core& core, const weft_image& exemplar, const weft_image& output, const weft_compare_options& options,
+             const Progress& progress, weft_comparison& comparison);
 
 } // namespace weft

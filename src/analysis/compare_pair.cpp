@@ -11,7 +11,7 @@ namespace {
 constexpr double float_rounding = 1e-13; // relative to the greatest square: a variance below it is rounding
 constexpr double farthest = 1e9;         // in standard deviations of the exemplar: squares and sums stay finite floats
 
-std::uint32_t run_count(const Planes& planes) { return std::min(planes.height, 64u); }
+std::uint32_t run_count(const Planes& planes) { return std::min(planes.height, 256u); }
 
 /// Calls body(run, first row, last row) for a number of runs that depends on the picture alone.
 template <class Body> void for_each_rows(Core& core, const Planes& planes, const Progress& progress, const Body& body)
@@ -42,7 +42,8 @@ void add_sums(const Planes& planes, std::uint32_t first, std::uint32_t last, Mom
         }
 }
 
-void add_products(const Planes& planes, std::uint32_t first, std::uint32_t last, const double* mean, Matrix& sums) noexcept
+void add_products(const Planes& planes, std::uint32_t first, std::uint32_t last, const double* mean,
+                  Matrix& sums) noexcept
 {
     for (std::uint32_t c = 0; c < planes.count; ++c)
         for (std::uint32_t d = 0; d <= c; ++d)
@@ -115,7 +116,8 @@ void apply(Core& core, const Matrix& axes, const double* mean, Planes& planes, c
         const std::size_t begin = std::size_t{first} * planes.width, end = std::size_t{last} * planes.width;
         for (std::size_t i = begin; i < end; ++i) {
             double value[most_channels];
-            for (std::uint32_t c = 0; c < planes.count; ++c) value[c] = static_cast<double>(planes.plane(c)[i]) - mean[c];
+            for (std::uint32_t c = 0; c < planes.count; ++c)
+                value[c] = static_cast<double>(planes.plane(c)[i]) - mean[c];
             for (std::uint32_t c = 0; c < planes.count; ++c) {
                 double sum = 0;
                 for (std::uint32_t d = 0; d < planes.count; ++d) sum += axes[c][d] * value[d];
@@ -131,7 +133,8 @@ void for_each_step(Core& core, std::uint32_t count, double cost, const Progress&
                    const std::function<void(std::uint32_t)>& body)
 {
     const double many = std::max(1.0, 0x1p24 / std::max(cost, 1.0));
-    const std::uint32_t batch = std::max(core.parallel.width(), static_cast<std::uint32_t>(std::min<double>(many, count)));
+    const std::uint32_t batch =
+        std::max(core.parallel.width(), static_cast<std::uint32_t>(std::min<double>(many, count)));
     for (std::uint32_t first = 0; first < count;) {
         const std::uint32_t size = std::min(batch, count - first);
         core.parallel.for_each_index(size, [&](std::uint32_t i) { body(first + i); });

@@ -14,10 +14,13 @@ struct Origins {
     std::uint32_t length, edge, count;
 
     Origins(std::uint32_t pixels, std::uint32_t segment) noexcept
-        : length(pixels), edge(segment), count((pixels - segment + segment / 2 - 1) / (segment / 2) + 1) {}
+        : length(pixels), edge(segment), count((pixels - segment + segment / 2 - 1) / (segment / 2) + 1)
+    {
+    }
     std::uint32_t operator[](std::uint32_t i) const noexcept
     {
-        return count == 1 ? (length - edge) / 2 : static_cast<std::uint32_t>(std::uint64_t{length - edge} * i / (count - 1));
+        return count == 1 ? (length - edge) / 2
+                          : static_cast<std::uint32_t>(std::uint64_t{length - edge} * i / (count - 1));
     }
 };
 
@@ -27,15 +30,17 @@ void thin_out(Origins& columns, Origins& rows) noexcept
     if (excess <= 1) return;
     Origins& longer = columns.count > rows.count ? columns : rows;
     Origins& shorter = columns.count > rows.count ? rows : columns;
-    shorter.count = std::max(1u, std::min(shorter.count, static_cast<std::uint32_t>(shorter.count / std::sqrt(excess))));
+    shorter.count =
+        std::max(1u, std::min(shorter.count, static_cast<std::uint32_t>(shorter.count / std::sqrt(excess))));
     longer.count = std::max(1u, std::min(longer.count, most_segments / shorter.count));
 }
 
 class Segments {
 public:
     Segments(Core& core, const Planes& planes, const double* mean, const TileTransform& transform)
-        : memory_(&core.memory), planes_(planes), mean_(mean), transform_(transform), columns_(planes.width, transform.edge()),
-          rows_(planes.height, transform.edge()), window_(memory_, transform.edge())
+        : memory_(&core.memory), planes_(planes), mean_(mean), transform_(transform),
+          columns_(planes.width, transform.edge()), rows_(planes.height, transform.edge()),
+          window_(memory_, transform.edge())
     {
         thin_out(columns_, rows_);
         const double edge = transform.edge();
@@ -54,12 +59,14 @@ public:
     /// The transforms of all channels of one segment.
     void transform(std::uint32_t index, Complex* spectra) const
     {
-        const std::size_t edge = transform_.edge(), left = columns_[index % columns_.count], top = rows_[index / columns_.count];
+        const std::size_t edge = transform_.edge(), left = columns_[index % columns_.count],
+                          top = rows_[index / columns_.count];
         Array<float> tile(memory_, edge * edge, Array<float>::unset);
         for (std::uint32_t c = 0; c < planes_.count; ++c) {
             for (std::size_t y = 0; y < edge; ++y)
                 for (std::size_t x = 0; x < edge; ++x)
-                    tile[y * edge + x] = (planes_.row(c, top + y)[left + x] - static_cast<float>(mean_[c])) * window_[y] * window_[x];
+                    tile[y * edge + x] =
+                        (planes_.row(c, top + y)[left + x] - static_cast<float>(mean_[c])) * window_[y] * window_[x];
             transform_.forward(tile.data(), spectra + c * transform_.frequencies());
         }
     }
@@ -101,7 +108,8 @@ CrossSpectrum cross_spectrum_of(Core& core, const Planes& planes, const double* 
     Array<Complex> spectra(&core.memory, size * std::min(segments.count(), segments_at_once));
     for (std::uint32_t first = 0; first < segments.count(); first += segments_at_once) {
         const std::uint32_t batch = std::min(segments_at_once, segments.count() - first);
-        core.parallel.for_each_index(batch, [&](std::uint32_t i) { segments.transform(first + i, spectra.data() + i * size); });
+        core.parallel.for_each_index(
+            batch, [&](std::uint32_t i) { segments.transform(first + i, spectra.data() + i * size); });
         core.parallel.for_each_index(4 * transform.blocks(), [&](std::uint32_t part) {
             const std::size_t length = transform.block_size() / 4;
             for (std::size_t i = part * length; i < (part + 1) * length; ++i)

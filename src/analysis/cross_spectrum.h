@@ -12,7 +12,10 @@ struct CrossSpectrum {
     Array<std::complex<double>> values;
 
     std::size_t triangle() const noexcept { return std::size_t{channels} * (channels + 1) / 2; }
-    const std::complex<double>* at(std::size_t frequency) const noexcept { return values.data() + frequency * triangle(); }
+    const std::complex<double>* at(std::size_t frequency) const noexcept
+    {
+        return values.data() + frequency * triangle();
+    }
 };
 
 /// Hann windows of the transform's edge, spread evenly at half overlap or more; at most 4096, spread farther, where the

@@ -12,8 +12,8 @@ using Complex = std::complex<float>;
 /// How many columns are transformed side by side: a cache line of complex numbers.
 constexpr std::uint32_t fft_lanes = 8;
 
-/// `length` real values <-> the first length / 2 + 1 values of their transform. Any length from 1 on. Immutable, so that
-/// many threads may transform at once; arrays are 64-byte aligned.
+/// `length` real values <-> the first length / 2 + 1 values of their transform. Any length from 1 on. Immutable, so
+/// that many threads may transform at once; arrays are 64-byte aligned.
 class RowTransform {
 public:
     RowTransform(std::pmr::memory_resource* memory, std::uint32_t length);

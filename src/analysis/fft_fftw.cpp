@@ -43,15 +43,23 @@ RowTransform::RowTransform(std::pmr::memory_resource* memory, std::uint32_t leng
     Array<float> values(memory, length);
     Array<Complex> half(memory, length / 2 + 1);
     const int n = static_cast<int>(length);
-    plan_->forward = checked(fftwf_plan_dft_r2c_1d(n, values.data(), fftw(half.data()), FFTW_ESTIMATE | FFTW_DESTROY_INPUT));
-    plan_->backward = checked(fftwf_plan_dft_c2r_1d(n, fftw(half.data()), values.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT));
+    plan_->forward =
+        checked(fftwf_plan_dft_r2c_1d(n, values.data(), fftw(half.data()), FFTW_ESTIMATE | FFTW_DESTROY_INPUT));
+    plan_->backward =
+        checked(fftwf_plan_dft_c2r_1d(n, fftw(half.data()), values.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT));
 }
 
 RowTransform::~RowTransform() = default;
 
-void RowTransform::forward(float* values, Complex* half) const { fftwf_execute_dft_r2c(plan_->forward, values, fftw(half)); }
+void RowTransform::forward(float* values, Complex* half) const
+{
+    fftwf_execute_dft_r2c(plan_->forward, values, fftw(half));
+}
 
-void RowTransform::backward(Complex* half, float* values) const { fftwf_execute_dft_c2r(plan_->backward, fftw(half), values); }
+void RowTransform::backward(Complex* half, float* values) const
+{
+    fftwf_execute_dft_c2r(plan_->backward, fftw(half), values);
+}
 
 struct ColumnTransform::Plan : PlanPair {};
 
@@ -61,8 +69,8 @@ ColumnTransform::ColumnTransform(std::pmr::memory_resource* memory, std::uint32_
     Array<Complex> block(memory, std::size_t{length} * fft_lanes);
     const int n = static_cast<int>(length), lanes = static_cast<int>(fft_lanes);
     const auto plan = [&](int sign) {
-        return checked(fftwf_plan_many_dft(1, &n, lanes, fftw(block.data()), nullptr, lanes, 1, fftw(block.data()), nullptr,
-                                           lanes, 1, sign, FFTW_ESTIMATE));
+        return checked(fftwf_plan_many_dft(1, &n, lanes, fftw(block.data()), nullptr, lanes, 1, fftw(block.data()),
+                                           nullptr, lanes, 1, sign, FFTW_ESTIMATE));
     };
     plan_->forward = plan(FFTW_FORWARD);
     plan_->backward = plan(FFTW_BACKWARD);

@@ -42,19 +42,21 @@ private:
     kiss_fft_cfg plan_ = nullptr;
 };
 
-/// A transform of any length: other lengths by a convolution with a chirp (Bluestein 1970), of the next power of two that
-/// holds it.
+/// A transform of any length: other lengths by a convolution with a chirp (Bluestein 1970), of the next power of two
+/// that holds it.
 class Transform {
 public:
     Transform(std::pmr::memory_resource* memory, std::uint32_t length, bool backward)
-        : memory_(memory), length_(length), padded_(is_smooth(length) ? length : padded_length(length)), first_(memory, padded_, backward)
+        : length_(length), padded_(is_smooth(length) ? length : padded_length(length)),
+          first_(memory, padded_, backward)
     {
         if (padded_ == length_) return;
         second_ = std::make_unique<Smooth>(memory, padded_, !backward);
         chirp_ = Array<Complex>(memory, length_);
         Array<Complex> filter(memory, padded_);
         for (std::uint32_t k = 0; k < length_; ++k) {
-            const double angle = 3.141592653589793 * static_cast<double>(std::uint64_t{k} * k % (2 * std::uint64_t{length_})) / length_;
+            const double angle =
+                3.141592653589793 * static_cast<double>(std::uint64_t{k} * k % (2 * std::uint64_t{length_})) / length_;
             const double sine = std::sin(angle);
             chirp_[k] = Complex(std::complex<double>(std::cos(angle), backward ? sine : -sine));
             filter[k] = std::conj(chirp_[k]) / static_cast<float>(padded_);
@@ -88,7 +90,6 @@ private:
         return padded;
     }
 
-    std::pmr::memory_resource* memory_;
     std::uint32_t length_, padded_;
     Smooth first_;
     std::unique_ptr<Smooth> second_;
@@ -97,7 +98,9 @@ private:
 
 struct TransformPair {
     TransformPair(std::pmr::memory_resource* resource, std::uint32_t length)
-        : memory(resource), forward(resource, length, false), backward(resource, length, true) {}
+        : memory(resource), forward(resource, length, false), backward(resource, length, true)
+    {
+    }
 
     std::pmr::memory_resource* memory;
     Transform forward, backward;
@@ -116,7 +119,9 @@ void run_columns(std::pmr::memory_resource* memory, const Transform& transform, 
 
 } // namespace
 
-struct RowTransform::Plan : TransformPair { using TransformPair::TransformPair; };
+struct RowTransform::Plan : TransformPair {
+    using TransformPair::TransformPair;
+};
 
 RowTransform::RowTransform(std::pmr::memory_resource* memory, std::uint32_t length) : plan_(new Plan(memory, length)) {}
 
@@ -125,7 +130,8 @@ RowTransform::~RowTransform() = default;
 void RowTransform::forward(float* values, Complex* half) const
 {
     const std::size_t length = plan_->forward.length();
-    Array<Complex> row(plan_->memory, length), whole(plan_->memory, length), work(plan_->memory, plan_->forward.workspace());
+    Array<Complex> row(plan_->memory, length), whole(plan_->memory, length),
+        work(plan_->memory, plan_->forward.workspace());
     std::copy_n(values, length, row.data());
     plan_->forward.run(row.data(), whole.data(), work.data());
     std::copy_n(whole.data(), length / 2 + 1, half);
@@ -134,15 +140,21 @@ void RowTransform::forward(float* values, Complex* half) const
 void RowTransform::backward(Complex* half, float* values) const
 {
     const std::size_t length = plan_->backward.length();
-    Array<Complex> whole(plan_->memory, length), row(plan_->memory, length), work(plan_->memory, plan_->backward.workspace());
+    Array<Complex> whole(plan_->memory, length), row(plan_->memory, length),
+        work(plan_->memory, plan_->backward.workspace());
     for (std::size_t k = 0; k < length; ++k) whole[k] = k <= length / 2 ? half[k] : std::conj(half[length - k]);
     plan_->backward.run(whole.data(), row.data(), work.data());
     for (std::size_t k = 0; k < length; ++k) values[k] = row[k].real();
 }
 
-struct ColumnTransform::Plan : TransformPair { using TransformPair::TransformPair; };
+struct ColumnTransform::Plan : TransformPair {
+    using TransformPair::TransformPair;
+};
 
-ColumnTransform::ColumnTransform(std::pmr::memory_resource* memory, std::uint32_t length) : plan_(new Plan(memory, length)) {}
+ColumnTransform::ColumnTransform(std::pmr::memory_resource* memory, std::uint32_t length)
+    : plan_(new Plan(memory, length))
+{
+}
 
 ColumnTransform::~ColumnTransform() = default;
 

@@ -1,4 +1,5 @@
-/// Sliced Wasserstein distance of the colours (Bonneel, Rabin, Peyre, Pfister 2015), in standard deviations of the exemplar.
+/// Sliced Wasserstein distance of the colours (Bonneel, Rabin, Peyre, Pfister 2015), in standard deviations of the
+/// exemplar.
 #include "analysis/compare_metrics.h"
 #include "analysis/wasserstein.h"
 #include <cmath>
@@ -12,7 +13,8 @@ constexpr std::uint64_t most_pixels = 1u << 17; // the distance of two such samp
 /// The sampled pixels, plane by plane.
 struct Colours {
     Colours(Core& core, const Planes& planes, std::uint64_t seed)
-        : sample(planes.area(), most_pixels, seed), values(&core.memory, sample.size() * planes.count, Array<float>::unset)
+        : sample(planes.area(), most_pixels, seed),
+          values(&core.memory, sample.size() * planes.count, Array<float>::unset)
     {
         core.parallel.for_each_index(planes.count, [&](std::uint32_t c) {
             for (std::size_t i = 0; i < sample.size(); ++i) values[c * sample.size() + i] = planes.plane(c)[sample[i]];
@@ -38,7 +40,8 @@ double deviation_of(const Array<float>& values) noexcept
     double sum = 0, squares = 0;
     for (const float value : values) sum += static_cast<double>(value);
     const double mean = sum / static_cast<double>(values.size());
-    for (const float value : values) squares += (static_cast<double>(value) - mean) * (static_cast<double>(value) - mean);
+    for (const float value : values)
+        squares += (static_cast<double>(value) - mean) * (static_cast<double>(value) - mean);
     return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
@@ -49,7 +52,8 @@ void unit_direction(std::uint64_t seed, std::uint32_t index, std::uint32_t size,
         direction[c] = normal_pair(seed, index * most_channels + c).real();
         square += static_cast<double>(direction[c]) * static_cast<double>(direction[c]);
     }
-    for (std::uint32_t c = 0; c < size; ++c) direction[c] = static_cast<float>(static_cast<double>(direction[c]) / std::sqrt(square));
+    for (std::uint32_t c = 0; c < size; ++c)
+        direction[c] = static_cast<float>(static_cast<double>(direction[c]) / std::sqrt(square));
 }
 
 } // namespace

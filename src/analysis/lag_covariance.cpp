@@ -47,7 +47,8 @@ public:
     double pairs(std::int64_t x, std::int64_t y) const noexcept
     {
         const auto within = [](Range range, std::int64_t lag, std::int64_t size) {
-            return static_cast<double>(std::max<std::int64_t>(0, std::min(range.end, size - lag) - std::max(range.begin, -lag)));
+            return static_cast<double>(
+                std::max<std::int64_t>(0, std::min(range.end, size - lag) - std::max(range.begin, -lag)));
         };
         double sum = 0;
         for (std::uint64_t i = 0; i < sample_.size(); ++i)
@@ -72,9 +73,11 @@ private:
     void fill(std::uint32_t index, std::uint32_t channel, std::uint32_t margin, float* tile) const noexcept
     {
         const std::int64_t side = transform.edge(), far = margin;
-        const Range columns = range(sample_[index] % columns_, planes_.width), rows = range(sample_[index] / columns_, planes_.height);
+        const Range columns = range(sample_[index] % columns_, planes_.width),
+                    rows = range(sample_[index] / columns_, planes_.height);
         std::fill_n(tile, side * side, 0.0f);
-        for (std::int64_t y = std::max<std::int64_t>(0, rows.begin - far); y < std::min<std::int64_t>(planes_.height, rows.end + far); ++y) {
+        for (std::int64_t y = std::max<std::int64_t>(0, rows.begin - far);
+             y < std::min<std::int64_t>(planes_.height, rows.end + far); ++y) {
             const float* row = planes_.row(channel, static_cast<std::size_t>(y));
             float* line = tile + (y - rows.begin + side) % side * side;
             for (std::int64_t x = std::max<std::int64_t>(0, columns.begin - far);
@@ -98,24 +101,23 @@ Array<float> correlation(Core& core, const Blocks& blocks, std::uint32_t channel
     Array<std::complex<double>> sums(&core.memory, frequencies);
     for (std::uint32_t first = 0; first < blocks.count(); first += blocks_at_once) {
         const std::uint32_t batch = std::min(blocks_at_once, blocks.count() - first);
-        core.parallel.for_each_index(batch, [&](std::uint32_t i) {
-            blocks.correlate(first + i, channel, products.data() + i * frequencies);
-        });
-        for (std::size_t i = 0; i < batch * frequencies; ++i) sums[i % frequencies] += std::complex<double>(products[i]);
+        core.parallel.for_each_index(
+            batch, [&](std::uint32_t i) { blocks.correlate(first + i, channel, products.data() + i * frequencies); });
+        for (std::size_t i = 0; i < batch * frequencies; ++i)
+            sums[i % frequencies] += std::complex<double>(products[i]);
         progress.at(static_cast<double>(first + batch) / blocks.count());
     }
     const std::size_t side = blocks.transform.edge();
     Array<float> result(&core.memory, side * side, Array<float>::unset);
-    for (std::size_t i = 0; i < frequencies; ++i)
-        products[i] = Complex(sums[i] / static_cast<double>(side * side));
+    for (std::size_t i = 0; i < frequencies; ++i) products[i] = Complex(sums[i] / static_cast<double>(side * side));
     blocks.transform.backward(products.data(), result.data());
     return result;
 }
 
 } // namespace
 
-LagCovariance lag_covariance_of(Core& core, const Planes& planes, const double* mean, std::uint32_t reach, std::uint64_t seed,
-                                const Progress& progress)
+LagCovariance lag_covariance_of(Core& core, const Planes& planes, const double* mean, std::uint32_t reach,
+                                std::uint64_t seed, const Progress& progress)
 {
     const Blocks blocks(core, planes, mean, reach, seed);
     LagCovariance result;
@@ -128,7 +130,8 @@ LagCovariance lag_covariance_of(Core& core, const Planes& planes, const double* 
         for (std::int64_t y = 0; y <= far; ++y)
             for (std::int64_t x = -far; x <= far; ++x)
                 result.values[result.index(c, x, y)] =
-                    static_cast<double>(sums[static_cast<std::size_t>(y * side + (x + side) % side)]) / std::max(1.0, blocks.pairs(x, y));
+                    static_cast<double>(sums[static_cast<std::size_t>(y * side + (x + side) % side)]) /
+                    std::max(1.0, blocks.pairs(x, y));
     }
     return result;
 }

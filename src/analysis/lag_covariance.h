@@ -17,7 +17,7 @@ struct LagCovariance {
 };
 
 /// Unbiased: the mean over all pairs of pixels at that lag, or over those that begin in 256 blocks of a large picture.
-LagCovariance lag_covariance_of(Core& core, const Planes& planes, const double* mean, std::uint32_t reach, std::uint64_t seed,
-                                const Progress& progress);
+LagCovariance lag_covariance_of(Core& core, const Planes& planes, const double* mean, std::uint32_t reach,
+                                std::uint64_t seed, const Progress& progress);
 
 } // namespace weft

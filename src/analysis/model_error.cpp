@@ -45,7 +45,8 @@ void factorise(Hermitian& a) noexcept
         const double inverse_root = pivot > rank_tolerance * greatest ? 1 / std::sqrt(pivot) : 0;
         for (std::uint32_t i = k; i < a.size; ++i) a.values[i][k] *= inverse_root;
         for (std::uint32_t i = k + 1; i < a.size; ++i)
-            for (std::uint32_t j = k + 1; j <= i; ++j) a.values[i][j] -= times(a.values[i][k], std::conj(a.values[j][k]));
+            for (std::uint32_t j = k + 1; j <= i; ++j)
+                a.values[i][j] -= times(a.values[i][k], std::conj(a.values[j][k]));
         for (std::uint32_t i = 0; i < k; ++i) a.values[i][k] = 0;
     }
 }
@@ -78,7 +79,8 @@ double fidelity(Hermitian a, const Hermitian& b) noexcept
 
 std::uint32_t segment_of(const Pair& pair) noexcept
 {
-    const std::uint32_t side = std::min({pair.exemplar.width, pair.exemplar.height, pair.output.width, pair.output.height});
+    const std::uint32_t side =
+        std::min({pair.exemplar.width, pair.exemplar.height, pair.output.width, pair.output.height});
     std::uint32_t edge = largest_segment;
     while (edge > side) edge /= 2;
     return edge;
@@ -92,7 +94,8 @@ double model_error(Core& core, const Pair& pair, const Progress& progress)
     const TileTransform transform(core, segment_of(pair));
     const double zero[most_channels] = {}; // the exemplar's mean in a pair
     const CrossSpectrum exemplar = cross_spectrum_of(core, pair.exemplar, zero, transform, progress.part(0, 0.3));
-    const CrossSpectrum output = cross_spectrum_of(core, pair.output, pair.output_mean, transform, progress.part(0.3, 0.7));
+    const CrossSpectrum output =
+        cross_spectrum_of(core, pair.output, pair.output_mean, transform, progress.part(0.3, 0.7));
 
     struct Sums {
         double distance = 0, power = 0;

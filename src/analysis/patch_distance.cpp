@@ -8,14 +8,15 @@ namespace weft {
 namespace {
 
 constexpr std::uint32_t patch_directions = 128, directions_at_once = 4;
-constexpr std::uint64_t least_patches = 64;     // more than the components, so that whitening is possible
-constexpr double least_variance = 1e-4;         // of a principal channel, relative to the first
-constexpr std::size_t patches_at_once = 1024;   // 49 rows of them stay in the second-level cache
+constexpr std::uint64_t least_patches = 64;   // more than the components, so that whitening is possible
+constexpr double least_variance = 1e-4;       // of a principal channel, relative to the first
+constexpr std::size_t patches_at_once = 1024; // 49 rows of them stay in the second-level cache
 
 /// Components of all patches along directions_at_once directions, each run sorted.
 Array<float> project(Core& core, const Patches& patches, const float* directions)
 {
-    Array<float> result(&core.memory, directions_at_once * patches.count), scratch(&core.memory, patches.count, Array<float>::unset);
+    Array<float> result(&core.memory, directions_at_once * patches.count),
+        scratch(&core.memory, patches.count, Array<float>::unset);
     for (std::size_t first = 0; first < patches.count; first += patches_at_once) {
         const std::size_t size = std::min(patches_at_once, patches.count - first);
         for (std::size_t d = 0; d < directions_at_once; ++d) {
@@ -37,7 +38,8 @@ double channel_distance(Core& core, const Pair& pair, std::uint32_t channel, std
 {
     const Patches a = sample_patches(core, pair.exemplar, channel, level, seed, progress.part(0, 0.1));
     const Patches b = sample_patches(core, pair.output, channel, level, seed, progress.part(0.1, 0.2));
-    const Array<float> directions = white_directions(core, a, patch_directions, mix_bits(seed), progress.part(0.2, 0.4));
+    const Array<float> directions =
+        white_directions(core, a, patch_directions, mix_bits(seed), progress.part(0.2, 0.4));
     if (directions.empty()) return 0;
     double distance[patch_directions] = {};
     const double cost = directions_at_once * 80.0 * static_cast<double>(a.count + b.count);

@@ -9,9 +9,10 @@ namespace {
 
 constexpr std::uint64_t most_patches = 1u << 14; // the distance of two such samples of one law is about 0.012
 constexpr double least_eigenvalue = 1e-4;
-constexpr std::size_t chunk = 1024; // patches
+constexpr std::size_t chunk = 256; // patches
 
-void gather(const Planes& planes, std::uint32_t channel, std::uint32_t level, std::uint64_t place, float* patch) noexcept
+void gather(const Planes& planes, std::uint32_t channel, std::uint32_t level, std::uint64_t place,
+            float* patch) noexcept
 {
     const std::size_t block = std::size_t{1} << level, across = planes.width - patch_side * block + 1;
     const std::size_t left = place % across, top = place / across;
@@ -38,15 +39,17 @@ Array<double> covariance_of(Core& core, const Patches& patches, const Progress& 
 {
     Array<double> means(&core.memory, patch_size), covariance(&core.memory, patch_size * patch_size);
     for (std::size_t i = 0; i < patch_size; ++i) means[i] = mean_of(patches.row(i), patches.count);
-    for_each_step(core, patch_size, static_cast<double>(patches.count * patch_size / 2), progress, [&](std::uint32_t i) {
-        for (std::size_t j = 0; j <= i; ++j) {
-            const float *a = patches.row(i), *b = patches.row(j);
-            double sums[4] = {};
-            for (std::size_t k = 0; k < patches.count; ++k) sums[k % 4] += static_cast<double>(a[k]) * static_cast<double>(b[k]);
-            covariance[i * patch_size + j] =
-                (sums[0] + sums[1] + sums[2] + sums[3]) / static_cast<double>(patches.count) - means[i] * means[j];
-        }
-    });
+    for_each_step(
+        core, patch_size, static_cast<double>(patches.count * patch_size / 2), progress, [&](std::uint32_t i) {
+            for (std::size_t j = 0; j <= i; ++j) {
+                const float *a = patches.row(i), *b = patches.row(j);
+                double sums[4] = {};
+                for (std::size_t k = 0; k < patches.count; ++k)
+                    sums[k % 4] += static_cast<double>(a[k]) * static_cast<double>(b[k]);
+                covariance[i * patch_size + j] =
+                    (sums[0] + sums[1] + sums[2] + sums[3]) / static_cast<double>(patches.count) - means[i] * means[j];
+            }
+        });
     for (std::size_t i = 0; i < patch_size; ++i)
         for (std::size_t j = 0; j < i; ++j) covariance[j * patch_size + i] = covariance[i * patch_size + j];
     return covariance;
@@ -68,7 +71,7 @@ Patches sample_patches(Core& core, const Planes& planes, std::uint32_t channel, 
     patches.count = sample.size();
     patches.values = Array<float>(&core.memory, patches.count * patch_size, Array<float>::unset);
     const auto chunks = static_cast<std::uint32_t>((patches.count + chunk - 1) / chunk);
-    const double cost = static_cast<double>(chunk * patch_size << (2 * level));
+    const double cost = 4.0 * static_cast<double>(chunk * patch_size << (2 * level));
     for_each_step(core, chunks, cost, progress, [&](std::uint32_t run) {
         for (std::size_t i = run * chunk; i < std::min(patches.count, (run + 1) * chunk); ++i) {
             float patch[patch_size];

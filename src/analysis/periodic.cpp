@@ -21,8 +21,8 @@ Array<Wide> jump_spectrum(Core& core, const float* first, const float* last, std
     return whole;
 }
 
-/// One axis: 4 sin^2(theta / 2), the Laplacian's share, and 1 - e^(i theta), the DFT of +1 at the first and -1 at the last
-/// pixel, for theta = 2 pi k / length. Both by sin(theta / 2), which keeps their digits at low frequencies.
+/// One axis: 4 sin^2(theta / 2), the Laplacian's share, and 1 - e^(i theta), the DFT of +1 at the first and -1 at the
+/// last pixel, for theta = 2 pi k / length. Both by sin(theta / 2), which keeps their digits at low frequencies.
 struct Axis {
     Axis(std::pmr::memory_resource* memory, std::uint32_t length) : laplacian(memory, length), border(memory, length)
     {

@@ -1,4 +1,4 @@
-/// The periodic component of a picture (Moisan 2011): what remains when the jumps between opposite borders are spread out.
+/// The periodic component of a picture (Moisan 2011): without the jumps between opposite borders.
 #pragma once
 #include "analysis/spectra.h"
 

@@ -13,7 +13,9 @@ constexpr std::uint32_t most_groups = 16; // of segments; a number of its own, s
 /// Where segments begin along one axis: half overlap, or a little more, so that the last ends where the picture does.
 struct Segments {
     Segments(std::uint32_t whole, std::uint32_t segment) noexcept
-        : room(whole - segment), count(segment > 1 ? (room + segment / 2 - 1) / (segment / 2) + 1 : whole) {}
+        : room(whole - segment), count(segment > 1 ? (room + segment / 2 - 1) / (segment / 2) + 1 : whole)
+    {
+    }
     std::uint32_t begin(std::uint32_t i) const noexcept
     {
         return count > 1 ? static_cast<std::uint32_t>(std::uint64_t{room} * i / (count - 1)) : 0;
@@ -30,8 +32,8 @@ Array<float> hann(std::pmr::memory_resource* memory, std::uint32_t length)
 }
 
 /// Sums of periodograms over the half-plane, each group of rows of segments into its own plane of `sums`.
-void add_periodograms(Core& core, const Planes& planes, std::uint32_t channel, std::uint32_t width, std::uint32_t height,
-                      Array<double>& sums, std::uint32_t groups)
+void add_periodograms(Core& core, const Planes& planes, std::uint32_t channel, std::uint32_t width,
+                      std::uint32_t height, Array<double>& sums, std::uint32_t groups)
 {
     const Segments across(planes.width, width), down(planes.height, height);
     const Array<float> window_x = hann(&core.memory, width), window_y = hann(&core.memory, height);
@@ -41,15 +43,19 @@ void add_periodograms(Core& core, const Planes& planes, std::uint32_t channel, s
         Spectra spectra(&core.memory, width, height, 1);
         double* sum = sums.data() + group * spectra.values.size();
         std::fill_n(sum, spectra.values.size(), 0.0);
-        const auto bound = [&](std::uint32_t g) { return static_cast<std::uint32_t>(std::uint64_t{down.count} * g / groups); };
+        const auto bound = [&](std::uint32_t g) {
+            return static_cast<std::uint32_t>(std::uint64_t{down.count} * g / groups);
+        };
         for (std::uint32_t i = bound(group); i < bound(group + 1); ++i)
             for (std::uint32_t j = 0; j < across.count; ++j) {
                 for (std::uint32_t y = 0; y < height; ++y) {
                     const float* from = planes.row(channel, down.begin(i) + y) + across.begin(j);
-                    for (std::uint32_t x = 0; x < width; ++x) segment.row(0, y)[x] = from[x] * window_x[x] * window_y[y];
+                    for (std::uint32_t x = 0; x < width; ++x)
+                        segment.row(0, y)[x] = from[x] * window_x[x] * window_y[y];
                 }
                 transform.forward(segment.plane(0), spectra, 0);
-                for (std::size_t k = 0; k < spectra.values.size(); ++k) sum[k] += static_cast<double>(std::norm(spectra.values[k]));
+                for (std::size_t k = 0; k < spectra.values.size(); ++k)
+                    sum[k] += static_cast<double>(std::norm(spectra.values[k]));
             }
     });
 }
@@ -58,7 +64,9 @@ void add_periodograms(Core& core, const Planes& planes, std::uint32_t channel, s
 void unfold(const Spectra& layout, const double* half, double variance, Planes& result, std::uint32_t channel)
 {
     const std::uint32_t width = layout.width, height = layout.height;
-    const auto index = [&](std::size_t x, std::size_t y) { return static_cast<std::size_t>(&layout.at(0, x, y) - layout.values.data()); };
+    const auto index = [&](std::size_t x, std::size_t y) {
+        return static_cast<std::size_t>(&layout.at(0, x, y) - layout.values.data());
+    };
     double total = 0;
     for (std::uint32_t x = 0; x < layout.columns(); ++x)
         for (std::uint32_t y = 0; y < height; ++y) total += static_cast<double>(layout.weight(x)) * half[index(x, y)];

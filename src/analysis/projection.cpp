@@ -1,7 +1,6 @@
 /// The projections' pass: rows in, blocks of columns through, rows out.
 #include "analysis/projection.h"
 #include "analysis/projection_rows.h"
-#include "analysis/statistics.h"
 #include "analysis/white_noise.h"
 #include <algorithm>
 
@@ -25,8 +24,9 @@ Complex noise_at(const Spectra& target, std::uint64_t seed, std::uint32_t c, std
 } // namespace
 
 Projection::Projection(Core& core, const Spectra& target, const SplineSamples& samples, std::uint32_t support)
-    : core_(core), target_(target), support_(support), runs_(std::min({core.parallel.width(), target.blocks(), most_runs})),
-      rows_(&core.memory, target.width), columns_(&core.memory, target.height),
+    : core_(core), target_(target), support_(support),
+      runs_(std::min({core.parallel.width(), target.blocks(), most_runs})), rows_(&core.memory, target.width),
+      columns_(&core.memory, target.height),
       b_x_(spline_spectrum(&core.memory, samples, target.width, target.blocks() * fft_lanes)),
       b_y_(spline_spectrum(&core.memory, samples, target.height, target.height)),
       half_(&core.memory, std::size_t{target.blocks()} * target.count * support * fft_lanes),
@@ -100,7 +100,8 @@ void Projection::start(std::uint64_t seed, Planes& result)
         for (std::uint32_t c = 0; c < target_.count; ++c)
             for (std::uint32_t y = 0; y < target_.height; ++y)
                 for (std::uint32_t i = 0; i < fft_lanes; ++i)
-                    block[c * target_.block_size() + y * fft_lanes + i] = noise_at(target_, seed, c, b * fft_lanes + i, y);
+                    block[c * target_.block_size() + y * fft_lanes + i] =
+                        noise_at(target_, seed, c, b * fft_lanes + i, y);
         project_rows(target_, b, b_x_.data(), b_y_.data(), true, 0, block);
         columns_backward(b, block);
     });
@@ -132,19 +133,6 @@ ModelSums Projection::measure(const Planes& coefficients)
         total.power += part.power;
     }
     return total;
-}
-
-Matrix Projection::covariance(const Planes& coefficients)
-{
-    Array<Matrix> parts(&core_.memory, target_.blocks());
-    rows_forward(coefficients);
-    for_each_block([&](std::uint32_t b, Complex* block) {
-        columns_forward(b, block);
-        parts[b] = block_covariance(target_, b, block, [&](std::uint32_t lane, std::uint32_t y) {
-            return static_cast<double>(b_x_[b * fft_lanes + lane] * b_y_[y]);
-        });
-    });
-    return sum_of(parts, target_.count);
 }
 
 } // namespace weft

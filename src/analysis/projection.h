@@ -1,6 +1,5 @@
 /// One pass of the texton's projections over all frequencies, for coefficients that live on a small support.
 #pragma once
-#include "analysis/matrix.h"
 #include "analysis/spectra.h"
 #include "analysis/spline.h"
 
@@ -26,11 +25,10 @@ public:
 
     /// `result` <- what Algorithm 1 makes of white noise over the whole of Omega, cut to the support.
     void start(std::uint64_t seed, Planes& result);
-    /// `result` <- the form's value cut to the support. s = T*a^ / sqrt(|T*a^|^2 + smoothing^2), a phase when smoothing is 0.
+    /// `result` <- the form's value cut to the support. s = T*a^ / sqrt(|T*a^|^2 + smoothing^2), a phase when smoothing
+    /// is 0.
     void apply(Form form, float smoothing, const Planes& coefficients, Planes& result);
     ModelSums measure(const Planes& coefficients);
-    /// Of the noise that the coefficients make, between channels, times the pixels of Omega.
-    Matrix covariance(const Planes& coefficients);
 
 private:
     template <class Body> void for_each_block(const Body& body);

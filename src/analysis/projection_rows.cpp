@@ -39,7 +39,8 @@ Lanes inner_product(const float* target, const float* values, std::size_t step, 
 }
 
 /// a <- T s - own a, channel by channel.
-void combine(const float* target, const Lanes& s, const float* own, float* values, std::size_t step, std::uint32_t channels) noexcept
+void combine(const float* target, const Lanes& s, const float* own, float* values, std::size_t step,
+             std::uint32_t channels) noexcept
 {
     for (std::uint32_t c = 0; c < channels; ++c) {
         float* row = values + c * step;
@@ -55,8 +56,8 @@ const float* floats(const Complex* values) noexcept { return reinterpret_cast<co
 
 } // namespace
 
-void project_rows(const Spectra& target, std::uint32_t b, const float* b_x, const float* b_y, bool only_phases, float smoothing,
-                  Complex* block) noexcept
+void project_rows(const Spectra& target, std::uint32_t b, const float* b_x, const float* b_y, bool only_phases,
+                  float smoothing, Complex* block) noexcept
 {
     const std::size_t step = 2 * target.block_size();
     for (std::uint32_t y = 0; y < target.height; ++y) {
@@ -67,7 +68,8 @@ void project_rows(const Spectra& target, std::uint32_t b, const float* b_x, cons
         for (std::uint32_t i = 0; i < lanes; ++i) {
             const float b_here = b_x[b * lanes + i] * b_y[y];
             const float square = s.real[i] * s.real[i] + s.imaginary[i] * s.imaginary[i] + smoothing * smoothing;
-            const float modulus = std::max(std::sqrt(square), least_modulus), factor = only_phases ? 1 / (modulus * b_here) : 1 / modulus;
+            const float modulus = std::max(std::sqrt(square), least_modulus),
+                        factor = only_phases ? 1 / (modulus * b_here) : 1 / modulus;
             s.real[i] *= factor;
             s.imaginary[i] *= factor;
             own[i] = only_phases ? 0 : b_here;
@@ -76,7 +78,8 @@ void project_rows(const Spectra& target, std::uint32_t b, const float* b_x, cons
     }
 }
 
-ModelSums measure_rows(const Spectra& target, std::uint32_t b, const float* b_x, const float* b_y, const Complex* block) noexcept
+ModelSums measure_rows(const Spectra& target, std::uint32_t b, const float* b_x, const float* b_y,
+                       const Complex* block) noexcept
 {
     const std::size_t step = 2 * target.block_size();
     ModelSums sums;
@@ -88,11 +91,13 @@ ModelSums measure_rows(const Spectra& target, std::uint32_t b, const float* b_x,
             const double weight = static_cast<double>(target.weight(b * lanes + i));
             double power = 0;
             for (std::uint32_t c = 0; c < target.count; ++c) {
-                const double real = static_cast<double>(a[c * step + 2 * i]), imaginary = static_cast<double>(a[c * step + 2 * i + 1]);
+                const double real = static_cast<double>(a[c * step + 2 * i]),
+                             imaginary = static_cast<double>(a[c * step + 2 * i + 1]);
                 power += real * real + imaginary * imaginary;
             }
             sums.power += weight * power * static_cast<double>(b_x[b * lanes + i] * b_y[y]);
-            sums.agreement += weight * static_cast<double>(std::sqrt(product.real[i] * product.real[i] + product.imaginary[i] * product.imaginary[i]));
+            sums.agreement += weight * static_cast<double>(std::sqrt(product.real[i] * product.real[i] +
+                                                                     product.imaginary[i] * product.imaginary[i]));
         }
     }
     return sums;

@@ -11,7 +11,8 @@ namespace {
 constexpr std::uint32_t realisations = 8, least_domain = 1024, nearest_lag = 48;
 
 /// The part of both pictures that is looked at: from the middle of the output, twice the exemplar's size where that is
-/// more than 1024 pixels, so that a repetition of the whole exemplar lies within its lags; of the exemplar as much as fits.
+/// more than 1024 pixels, so that a repetition of the whole exemplar lies within its lags; of the exemplar as much as
+/// fits.
 struct Domain {
     std::uint32_t width, height;
 
@@ -60,7 +61,8 @@ void randomise(Core& core, const Spectra& power, std::uint64_t seed, Spectra& re
 }
 
 /// max C(tau) / C(0) over lags beyond `nearest` along either axis, C the circular autocovariance; destroys `power`.
-double highest_peak(Core& core, const PlaneTransform& transform, Spectra& power, std::uint32_t nearest, Array<float>& plane)
+double highest_peak(Core& core, const PlaneTransform& transform, Spectra& power, std::uint32_t nearest,
+                    Array<float>& plane)
 {
     power.at(0, 0, 0) = 0;
     transform.backward(power, 0, plane.data());

@@ -8,12 +8,16 @@ namespace weft {
 SplineSamples spline_samples(std::uint32_t taps) noexcept
 {
     switch (taps) {
-    case 1: return {1, {1}};
-    case 2: return {2, {4 / 6.0, 1 / 6.0}};
-    case 4: return {4, {2416 / 5040.0, 1191 / 5040.0, 120 / 5040.0, 1 / 5040.0}};
+    case 1:
+        return {1, {1}};
+    case 2:
+        return {2, {4 / 6.0, 1 / 6.0}};
+    case 4:
+        return {4, {2416 / 5040.0, 1191 / 5040.0, 120 / 5040.0, 1 / 5040.0}};
     default:
-        return {6, {15724248 / 39916800.0, 9738114 / 39916800.0, 2203488 / 39916800.0, 152637 / 39916800.0, 2036 / 39916800.0,
-                    1 / 39916800.0}};
+        return {6,
+                {15724248 / 39916800.0, 9738114 / 39916800.0, 2203488 / 39916800.0, 152637 / 39916800.0,
+                 2036 / 39916800.0, 1 / 39916800.0}};
     }
 }
 
@@ -25,13 +29,15 @@ Array<float> spline_spectrum(std::pmr::memory_resource* memory, const SplineSamp
     for (std::uint32_t k = 0; k < count; ++k) {
         double sum = samples.values[0];
         for (std::uint32_t j = 1; j < samples.count; ++j)
-            sum += 2 * samples.values[j] * std::cos(two_pi * static_cast<double>(std::uint64_t{j} * k % length) / length);
+            sum +=
+                2 * samples.values[j] * std::cos(two_pi * static_cast<double>(std::uint64_t{j} * k % length) / length);
         spectrum[k] = static_cast<float>(sum);
     }
     return spectrum;
 }
 
-AxisFactor::AxisFactor(std::pmr::memory_resource* memory, const SplineSamples& samples, std::uint32_t length, std::uint32_t support)
+AxisFactor::AxisFactor(std::pmr::memory_resource* memory, const SplineSamples& samples, std::uint32_t length,
+                       std::uint32_t support)
     : support_(support), first_(memory, support), diagonal_(memory, support)
 {
     Array<double> folded(memory, length); // b at each distance along the axis, which is a circle
@@ -76,8 +82,10 @@ void AxisFactor::solve(float* values, std::size_t step, std::uint32_t count) con
     }
 }
 
-SplineSolver::SplineSolver(Core& core, const SplineSamples& samples, std::uint32_t width, std::uint32_t height, std::uint32_t support)
-    : core_(core), support_(support), along_x_(&core.memory, samples, width, support), along_y_(&core.memory, samples, height, support)
+SplineSolver::SplineSolver(Core& core, const SplineSamples& samples, std::uint32_t width, std::uint32_t height,
+                           std::uint32_t support)
+    : core_(core), support_(support), along_x_(&core.memory, samples, width, support),
+      along_y_(&core.memory, samples, height, support)
 {
 }
 

@@ -34,7 +34,8 @@ ChannelStatistics channel_statistics(Core& core, const float* plane, std::uint32
     });
     Row all = rows[0];
     for (std::size_t y = 1; y < height; ++y)
-        all = {all.sum + rows[y].sum, all.squares + rows[y].squares, std::min(all.least, rows[y].least), std::max(all.most, rows[y].most)};
+        all = {all.sum + rows[y].sum, all.squares + rows[y].squares, std::min(all.least, rows[y].least),
+               std::max(all.most, rows[y].most)};
     if (all.least == all.most) return {origin, 0};
     const double pixels = static_cast<double>(width) * height, mean = all.sum / pixels;
     return {origin + mean, std::sqrt(std::max(all.squares / pixels - mean * mean, 0.0))};
@@ -56,12 +57,32 @@ Centring centre(Core& core, Planes& planes)
     for_each_run(core.parallel, planes.count * planes.height, [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t i = first; i < last; ++i) { // row i % height of channel i / height
             float* row = planes.values.data() + std::size_t{i} * planes.width;
-            const double mean = centring.mean[i / planes.height], scale = centring.deviation[i / planes.height] > 0 ? centring.scale : 0;
+            const double mean = centring.mean[i / planes.height],
+                         scale = centring.deviation[i / planes.height] > 0 ? centring.scale : 0;
             for (std::uint32_t x = 0; x < planes.width; ++x)
                 row[x] = static_cast<float>((static_cast<double>(row[x]) - mean) * scale);
         }
     });
     return centring;
+}
+
+Matrix block_covariance(const Spectra& spectra, std::uint32_t b, const Complex* block, double unit) noexcept
+{
+    Matrix sum;
+    sum.size = spectra.count;
+    for (std::uint32_t lane = 0; lane < fft_lanes; ++lane) {
+        const double factor = unit * static_cast<double>(spectra.weight(b * fft_lanes + lane));
+        if (factor == 0) continue;
+        for (std::uint32_t y = 0; y < spectra.height; ++y) {
+            const Complex* values = block + std::size_t{y} * fft_lanes + lane;
+            for (std::uint32_t i = 0; i < sum.size; ++i)
+                for (std::uint32_t j = i; j < sum.size; ++j) {
+                    const std::complex<double> u(values[i * spectra.block_size()]), v(values[j * spectra.block_size()]);
+                    sum[i][j] += factor * (u.real() * v.real() + u.imag() * v.imag());
+                }
+        }
+    }
+    return sum;
 }
 
 Matrix sum_of(const Array<Matrix>& parts, std::uint32_t size) noexcept

@@ -1,4 +1,4 @@
-/// Eigenvalues and eigenvectors of symmetric matrices that are larger than a channel each way (those are matrix.h's).
+/// Eigenvalues and eigenvectors of symmetric matrices of any size.
 #pragma once
 #include <cstddef>
 

@@ -12,7 +12,8 @@ void weigh(Core& core, Target& target, const SplineSamples& samples)
     Spectra& spectra = target.spectra;
     const Array<float> b_x = spline_spectrum(&core.memory, samples, spectra.width, spectra.blocks() * fft_lanes);
     const Array<float> b_y = spline_spectrum(&core.memory, samples, spectra.height, spectra.height);
-    const float root = std::sqrt(static_cast<float>(spectra.width) * static_cast<float>(spectra.height));
+    const double pixels = static_cast<double>(spectra.width) * spectra.height;
+    const float normal = static_cast<float>(1 / std::sqrt(pixels));
     Array<Matrix> parts(&core.memory, spectra.blocks());
     for (std::uint32_t c = 0; c < spectra.count; ++c) spectra.at(c, 0, 0) = 0;
     for_each_run(core.parallel, spectra.blocks(), [&](std::uint32_t first, std::uint32_t last) {
@@ -22,8 +23,8 @@ void weigh(Core& core, Target& target, const SplineSamples& samples)
                 for (std::size_t i = 0; i < spectra.count * spectra.block_size(); ++i)
                     block[i] *= factor(i % fft_lanes, i / fft_lanes % spectra.height);
             };
-            each([&](std::size_t, std::size_t) { return 1 / root; });
-            parts[b] = block_covariance(spectra, b, block, [](std::uint32_t, std::uint32_t) { return 1.0; });
+            each([&](std::size_t, std::size_t) { return normal; });
+            parts[b] = block_covariance(spectra, b, block, 1 / pixels);
             each([&](std::size_t lane, std::size_t y) { return std::sqrt(b_x[b * fft_lanes + lane] * b_y[y]); });
         }
     });
@@ -36,7 +37,7 @@ double Target::power() const noexcept
 {
     double trace = 0;
     for (std::uint32_t c = 0; c < covariance.size; ++c) trace += covariance[c][c];
-    return trace;
+    return trace * spectra.width * spectra.height;
 }
 
 Target make_target(Core& core, Planes planes, const SplineSamples& samples, const Progress& progress)

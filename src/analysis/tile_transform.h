@@ -9,8 +9,10 @@ namespace weft {
 class TileTransform {
 public:
     TileTransform(Core& core, std::uint32_t edge)
-        : edge_(edge), blocks_((edge / 2 + fft_lanes) / fft_lanes), rows_(&core.memory, edge), columns_(&core.memory, edge),
-          memory_(&core.memory) {}
+        : edge_(edge), blocks_((edge / 2 + fft_lanes) / fft_lanes), rows_(&core.memory, edge),
+          columns_(&core.memory, edge), memory_(&core.memory)
+    {
+    }
 
     std::uint32_t edge() const noexcept { return edge_; }
     std::uint32_t blocks() const noexcept { return blocks_; }

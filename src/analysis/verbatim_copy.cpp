@@ -23,7 +23,8 @@ double verbatim_copy(Core& core, const Pair& pair, std::uint64_t seed, const Pro
 
     Array<Window> left(&core.memory, count), right(&core.memory, count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint64_t x = mix_bits(mix_bits(seed) ^ (2 * i)) % across, y = mix_bits(mix_bits(seed) ^ (2 * i + 1)) % down;
+        const std::uint64_t x = mix_bits(mix_bits(seed) ^ (2 * i)) % across,
+                            y = mix_bits(mix_bits(seed) ^ (2 * i + 1)) % down;
         left[i] = window_at(pair.output, x, y);
         right[i] = window_at(pair.output, x + 1, y);
     }

@@ -1,4 +1,5 @@
-/// Sorted samples and the distance between them (Villani 2009, chapter 6: in one dimension the quantiles are the optimal plan).
+/// Sorted samples and the distance between them (Villani 2009, chapter 6: in one dimension the quantiles are the
+/// optimal plan).
 #include "analysis/wasserstein.h"
 #include <algorithm>
 #include <cmath>

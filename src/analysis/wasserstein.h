@@ -16,7 +16,9 @@ double wasserstein_distance(const float* a, std::size_t a_count, const float* b,
 class Sample {
 public:
     Sample(std::uint64_t available, std::uint64_t most, std::uint64_t seed) noexcept
-        : available_(available), count_(available < most ? available : most), seed_(mix_bits(seed)) {}
+        : available_(available), count_(available < most ? available : most), seed_(mix_bits(seed))
+    {
+    }
 
     std::uint64_t size() const noexcept { return count_; }
     std::uint64_t operator[](std::uint64_t i) const noexcept

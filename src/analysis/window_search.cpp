@@ -24,8 +24,9 @@ struct Cosines {
         const double side = window_side;
         for (std::size_t k = 0; k < frequencies; ++k)
             for (std::size_t i = 0; i < window_side; ++i)
-                values[k][i] = static_cast<float>(std::sqrt((k == 0 ? 1 : 2) / side) *
-                                                  std::cos(3.141592653589793 * static_cast<double>(k) * (static_cast<double>(i) + 0.5) / side));
+                values[k][i] = static_cast<float>(
+                    std::sqrt((k == 0 ? 1 : 2) / side) *
+                    std::cos(3.141592653589793 * static_cast<double>(k) * (static_cast<double>(i) + 0.5) / side));
     }
 };
 
@@ -53,7 +54,8 @@ public:
                 float* result = values_.data() + (f * rows + row) * across;
                 std::fill_n(result, across, 0.0f);
                 for (std::size_t i = 0; i < window_side; ++i)
-                    for (std::size_t x = 0; x < across; ++x) result[x] += cosines_.values[f % frequencies][i] * line[x + i];
+                    for (std::size_t x = 0; x < across; ++x)
+                        result[x] += cosines_.values[f % frequencies][i] * line[x + i];
             }
         });
     }
@@ -95,7 +97,8 @@ void consider(const Planes& planes, std::size_t x, std::size_t y, Window& window
 }
 
 /// Compares a window with the places [begin, end) of the features, whose first row is the picture's row `first`.
-void search(const Planes& planes, const Features& features, std::size_t first, std::size_t begin, std::size_t end, Window& window) noexcept
+void search(const Planes& planes, const Features& features, std::size_t first, std::size_t begin, std::size_t end,
+            Window& window) noexcept
 {
     float bounds[places_together];
     const std::size_t size = end - begin;
@@ -147,11 +150,13 @@ void find_nearest(Core& core, const Planes& planes, Window* windows, std::uint32
         features.compute(core, first);
         for_each_step(core, runs, 20.0 * windows_together * static_cast<double>(places),
                       progress.part(done / down, (done + static_cast<double>(rows)) / down), [&](std::uint32_t run) {
-            const std::uint32_t last = std::min(count, (run + 1) * windows_together);
-            for (std::size_t begin = 0; begin < places; begin += places_together)
-                for (std::uint32_t w = run * windows_together; w < last; ++w)
-                    if (!windows[w].settled) search(planes, features, first, begin, std::min(places, begin + places_together), windows[w]);
-        });
+                          const std::uint32_t last = std::min(count, (run + 1) * windows_together);
+                          for (std::size_t begin = 0; begin < places; begin += places_together)
+                              for (std::uint32_t w = run * windows_together; w < last; ++w)
+                                  if (!windows[w].settled)
+                                      search(planes, features, first, begin, std::min(places, begin + places_together),
+                                             windows[w]);
+                      });
     }
 }
 

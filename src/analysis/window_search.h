@@ -12,7 +12,7 @@ struct Window {
     float features[window_features]; ///< its lowest cosine coefficients: an orthogonal projection
     float distance;
     std::uint32_t nearest_x, nearest_y;
-    bool settled; ///< nothing nearer is of interest
+    bool settled;  ///< nothing nearer is of interest
     bool expected; ///< only whether the nearest is the one expected is of interest
 };
 
