@@ -181,7 +181,8 @@ static int write_all(const weft_model* model, const weft_model_info* info, const
 
 int command_export(int count, char** words)
 {
-    const command_line line = {"export", "MODEL DIR", "Writes a model's parts as PNG, text and JSON.", notes, NULL, 0, 2, 2};
+    const command_line line = {
+        "export", "MODEL DIR", "Writes a model's parts as PNG, text and JSON.", notes, NULL, 0, 2, 2};
     arguments common;
     weft_context* context = NULL;
     weft_model* model = NULL;

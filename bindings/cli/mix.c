@@ -33,13 +33,14 @@ static int parse(mix_options* o, arguments* common, int count, char** words)
     int code = parse_arguments(&line, count, words, common);
     if (code >= 0) return code;
     if (!o->output) return misused("it needs -o MODEL");
-    if ((o->t >= 0) == (o->steps > 0)) return misused("it needs --t T or --steps N");
+    if ((o->t >= 0) == (o->steps > 0)) return misused("it needs either --t T or --steps N");
     return check_stdout(common->json, o->output) ? EXIT_USAGE : -1;
 }
 
-/* What was asked for is what the method can do. */
-static int check_method(const mix_options* o, weft_method method)
+/* What was asked for is what the method of both can do. */
+static int check_methods(const mix_options* o, weft_method method, weft_method other)
 {
+    if (method != other) return failed("A is a model of %s, B of %s", method_name(method), method_name(other));
     if (method == WEFT_METHOD_WAVELET && o->t < 0) return misused("models of wavelet noise take --t T");
     if (method == WEFT_METHOD_TEXTON && o->steps == 0) return misused("models of texton noise take --steps N");
     return EXIT_FINE;
@@ -67,10 +68,10 @@ static void report(const weft_model_info* info, const mix_options* o, const argu
 static int mix(const mix_options* o, const arguments* common, weft_context* context)
 {
     weft_model *models[2] = {NULL, NULL}, *mixed = NULL;
-    weft_model_info info = WEFT_MODEL_INFO_INIT;
+    weft_model_info info = WEFT_MODEL_INFO_INIT, other = info;
     int code = open_model(context, common->operand[0], &models[0], &info);
-    if (code == EXIT_FINE) code = open_model(context, common->operand[1], &models[1], &info);
-    if (code == EXIT_FINE) code = check_method(o, info.method);
+    if (code == EXIT_FINE) code = open_model(context, common->operand[1], &models[1], &other);
+    if (code == EXIT_FINE) code = check_methods(o, info.method, other.method);
     if (code == EXIT_FINE) {
         weft_status status = weft_model_mix(context, models[0], models[1], o->t < 0 ? 0 : o->t, o->steps, &mixed);
         if (status != WEFT_OK) code = failed_weft(status);
