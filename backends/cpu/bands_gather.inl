@@ -109,33 +109,39 @@ struct Lanes {
     }
 };
 
-inline uint32_t first_index(const Lattice& lattice, uint32_t axis, int64_t cell)
-{
-    if (lattice.powers) return (uint32_t(cell) + lattice.shift[axis]) & (lattice.size[axis] - 1);
-    return weft_band_index(cell, lattice.shift[axis], lattice.size[axis]);
-}
-
 /// Where the lattices of a band are read, for each plane and spot.
 struct Sources {
     const float* from[most_together][spots];
 };
 
-/// Finds the first coefficients, and asks for all of them before they are needed: most of the time goes by with waiting
-/// for memory otherwise.
+/// Offset of the first coefficient of a cell.
+template <uint32_t slices> inline int64_t first_of(const Lattice& lattice, const int64_t* cell)
+{
+    const uint32_t *shift = lattice.shift, *size = lattice.size;
+    uint32_t first[3];
+    for (uint32_t a = 0; a < (slices > 1 ? 3 : 2); ++a)
+        first[a] = lattice.powers ? (uint32_t(cell[a]) + shift[a]) & (size[a] - 1)
+                                  : weft_band_index(cell[a], shift[a], size[a]);
+    const int64_t in_slice = first[1] * lattice.row + first[0];
+    return slices > 1 ? first[2] * lattice.slice + in_slice : in_slice;
+}
+
+/// Finds the first coefficients. Solids are large: most of the time would go by with waiting for memory, if it were not
+/// asked early for all that a band needs.
 template <uint32_t slices>
 inline void find_sources(const Lattice* lattices, uint32_t planes, const Lanes& at, uint32_t band, Sources& sources)
 {
+    int64_t cell[spots][3];
+    for (uint32_t s = 0; s < spots; ++s)
+        for (uint32_t a = 0; a < 3; ++a) cell[s][a] = weft_band_cell(at.at[s]->cell[a], band);
     for (uint32_t p = 0; p < planes; ++p) {
         const Lattice& lattice = lattices[p];
         if (!lattice.data) continue;
         for (uint32_t s = 0; s < spots; ++s) {
-            const int64_t* pixel = at.at[s]->cell;
-            const float* from = lattice.data + first_index(lattice, 1, weft_band_cell(pixel[1], band)) * lattice.row +
-                                first_index(lattice, 0, weft_band_cell(pixel[0], band));
-            if (slices > 1) from += first_index(lattice, 2, weft_band_cell(pixel[2], band)) * lattice.slice;
+            const float* from = lattice.data + first_of<slices>(lattice, cell[s]);
             sources.from[p][s] = from;
 #pragma GCC unroll 9
-            for (uint32_t y = 0; y < 3 * slices; ++y)
+            for (uint32_t y = 0; y < 9 && slices > 1; ++y)
                 __builtin_prefetch(from + y / 3 * lattice.slice + y % 3 * lattice.row);
         }
     }
