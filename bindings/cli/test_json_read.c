@@ -54,11 +54,36 @@ static unsigned read_array(const char* text)
 
 static void test_refused_arrays(void** state)
 {
-    static const char* const refused[] = {
-        "",      "[",      "[1",    "[1,",    "[1,]",     "[,1]",   "[1 2]",    "[1]]",
-        "[1}",   "{1]",    "[[1]]", "[01]",   "[+1]",     "[.5]",   "[1.]",     "[1e]",
-        "[1e+]", "[- 1]",  "[-]",   "[nan]",  "[1e39]",   "[-4e38]", "[0x1]",    "[1,5",
-        "[null]", "[\"1\"]", "\f[1]", "[1]x", "\xef\xbb\xbf[1]", "[1e99999999999999999999]"};
+    static const char* const refused[] = {"",
+                                          "[",
+                                          "[1",
+                                          "[1,",
+                                          "[1,]",
+                                          "[,1]",
+                                          "[1 2]",
+                                          "[1]]",
+                                          "[1}",
+                                          "{1]",
+                                          "[[1]]",
+                                          "[01]",
+                                          "[+1]",
+                                          "[.5]",
+                                          "[1.]",
+                                          "[1e]",
+                                          "[1e+]",
+                                          "[- 1]",
+                                          "[-]",
+                                          "[nan]",
+                                          "[1e39]",
+                                          "[-4e38]",
+                                          "[0x1]",
+                                          "[1,5",
+                                          "[null]",
+                                          "[\"1\"]",
+                                          "\f[1]",
+                                          "[1]x",
+                                          "\xef\xbb\xbf[1]",
+                                          "[1e99999999999999999999]"};
     (void)state;
     for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++)
         if (read_array(refused[i]) != 1) fail_msg("%s", refused[i]);
@@ -75,7 +100,7 @@ static void test_refused_arrays(void** state)
 
 static void test_refused_texts(void** state)
 {
-    static const char* const refused[] = {"",       "\"",      "\"a",       "a",          "\"\\",     "\"\\x\"",
+    static const char* const refused[] = {"",       "\"",      "\"a",       "a",           "\"\\",        "\"\\x\"",
                                           "\"\n\"", "\"\\u\"", "\"\\u12\"", "\"\\u12g4\"", "\"12345678\""};
     char text[8];
     (void)state;
