@@ -8,8 +8,8 @@
 
 using namespace weft;
 
-weft_status weft_analyze_texton(weft_context* context, const weft_image* photo, const weft_texton_options* given, weft_progress progress,
-                                void* user, weft_model** model) noexcept
+weft_status weft_analyze_texton(weft_context* context, const weft_image* photo, const weft_texton_options* given,
+                                weft_progress progress, void* user, weft_model** model) noexcept
 {
     constexpr char function[] = "weft_analyze_texton";
     return guard(function, [&] {
@@ -22,8 +22,8 @@ weft_status weft_analyze_texton(weft_context* context, const weft_image* photo, 
     });
 }
 
-weft_status weft_analyze_wavelet(weft_context* context, const weft_image* photo, const weft_wavelet_options* given, weft_progress progress,
-                                 void* user, weft_model** model) noexcept
+weft_status weft_analyze_wavelet(weft_context* context, const weft_image* photo, const weft_wavelet_options* given,
+                                 weft_progress progress, void* user, weft_model** model) noexcept
 {
     constexpr char function[] = "weft_analyze_wavelet";
     return guard(function, [&] {
@@ -42,8 +42,9 @@ weft_status weft_analyze_picture(weft_context* context, const weft_image* pictur
         require(context, function, ": context is NULL");
         require(model, function, ": model is NULL");
         check_image(picture, function, "picture");
-        require(picture->width <= most_side && picture->height <= most_side, function, ": picture->width and ->height are ",
-                picture->width, " x ", picture->height, ", not within 16384 x 16384");
+        require(picture->width <= most_side && picture->height <= most_side, function,
+                ": picture->width and ->height are ", picture->width, " x ", picture->height,
+                ", not within 16384 x 16384");
         Core& core = *context->core;
         Model made;
         made.method = WEFT_METHOD_PICTURE;

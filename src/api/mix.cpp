@@ -16,14 +16,16 @@ Model mix(Core& core, const Model& a, const Model& b, float t, std::uint32_t ste
         return morph_wavelets(a, b, t);
     }
     if (a.method != WEFT_METHOD_TEXTON) throw Error(WEFT_ERROR_UNSUPPORTED, function, ": pictures are not mixed");
-    if (a.texton.images > 1 || b.texton.images > 1) throw Error(WEFT_ERROR_UNSUPPORTED, function, ": a or b is mixed already");
+    if (a.texton.images > 1 || b.texton.images > 1)
+        throw Error(WEFT_ERROR_UNSUPPORTED, function, ": a or b is mixed already");
     require(steps >= 2 && steps <= most_images, function, ": steps is ", steps, ", not 2..", most_images);
     return mix_textons(core, a, b, steps);
 }
 
 } // namespace
 
-weft_status weft_model_mix(weft_context* context, const weft_model* a, const weft_model* b, float t, uint32_t steps, weft_model** model) noexcept
+weft_status weft_model_mix(weft_context* context, const weft_model* a, const weft_model* b, float t, uint32_t steps,
+                           weft_model** model) noexcept
 {
     constexpr char function[] = "weft_model_mix";
     return guard(function, [&] {
@@ -32,7 +34,8 @@ weft_status weft_model_mix(weft_context* context, const weft_model* a, const wef
         require(b, function, ": b is NULL");
         require(model, function, ": model is NULL");
         const Model &first = a->loaded.object->model, &second = b->loaded.object->model;
-        require(first.method == second.method, function, ": a is of method ", first.method, ", b of method ", second.method);
+        require(first.method == second.method, function, ": a is of method ", first.method, ", b of method ",
+                second.method);
         *model = make_model(*context, mix(*context->core, first, second, t, steps, function));
     });
 }

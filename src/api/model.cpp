@@ -17,7 +17,10 @@ const Planes& planes_of(const Model& model) noexcept
     return model.method == WEFT_METHOD_PICTURE ? model.picture : model.texton.coefficients;
 }
 
-std::uint32_t parts_of(const Model& model) noexcept { return model.method == WEFT_METHOD_WAVELET ? 0 : model.texton.images; }
+std::uint32_t parts_of(const Model& model) noexcept
+{
+    return model.method == WEFT_METHOD_WAVELET ? 0 : model.texton.images;
+}
 
 weft_model_info info_of(const Loaded_model& loaded)
 {
@@ -64,7 +67,8 @@ weft_status weft_model_load(weft_context* context, const void* bytes, size_t siz
         require(context, function, ": context is NULL");
         require(bytes, function, ": bytes is NULL");
         require(model, function, ": model is NULL");
-        *model = make_model(*context, read_model(&context->core->memory, static_cast<const unsigned char*>(bytes), size));
+        *model =
+            make_model(*context, read_model(&context->core->memory, static_cast<const unsigned char*>(bytes), size));
     });
 }
 
@@ -124,7 +128,9 @@ weft_status weft_model_part(const weft_model* model, uint32_t index, weft_part_i
         const std::uint32_t size = checked_size(info, function, "info");
         const Model& known = model->loaded.object->model;
         const Sentence step("texton ", index);
-        const std::string_view name = known.method == WEFT_METHOD_PICTURE ? "picture" : known.texton.images == 1 ? "texton" : step.c_str();
+        const std::string_view name = known.method == WEFT_METHOD_PICTURE ? "picture"
+                                      : known.texton.images == 1          ? "texton"
+                                                                          : step.c_str();
         weft_part_info result{};
         std::copy(name.begin(), name.end(), result.name);
         result.width = part.width;
@@ -143,10 +149,12 @@ weft_status weft_model_part_read(const weft_model* model, uint32_t index, const 
     return guard(function, [&] {
         const Part part = checked_part(model, index, function);
         check_image(image, function, "image");
-        require(image->format == WEFT_FORMAT_F32, function, ": image->format is ", image->format, ", not WEFT_FORMAT_F32");
-        require(image->channels == part.channels, function, ": image->channels is ", image->channels, ", the part has ", part.channels);
-        require(image->width == part.width && image->height == part.height, function, ": image is ", image->width, " x ",
-                image->height, ", the part is ", part.width, " x ", part.height);
+        require(image->format == WEFT_FORMAT_F32, function, ": image->format is ", image->format,
+                ", not WEFT_FORMAT_F32");
+        require(image->channels == part.channels, function, ": image->channels is ", image->channels, ", the part has ",
+                part.channels);
+        require(image->width == part.width && image->height == part.height, function, ": image is ", image->width,
+                " x ", image->height, ", the part is ", part.width, " x ", part.height);
         write_window(*image, 0, 0, part.width, part.height, part.values, part.width, part.height);
     });
 }

@@ -14,7 +14,8 @@ template <class Struct> std::uint32_t checked_size(const Struct* given, const ch
     require(given, function, ": ", argument, " is NULL");
     std::uint32_t size;
     std::memcpy(&size, given, sizeof size);
-    require(size >= sizeof size && size <= most_struct_size<Struct>, function, ": ", argument, "->size is ", size, "; start from the _INIT value");
+    require(size >= sizeof size && size <= most_struct_size<Struct>, function, ": ", argument, "->size is ", size,
+            "; start from the _INIT value");
     return size;
 }
 
@@ -28,7 +29,8 @@ template <class Struct> Struct read_options(const Struct* given, const char* fun
     const auto* bytes = reinterpret_cast<const unsigned char*>(given);
     for (std::uint32_t i = sizeof options; i < size; ++i)
         if (bytes[i] != 0)
-            throw Error(WEFT_ERROR_UNSUPPORTED, function, ": ", argument, " has a field at byte ", i, " that this libweft does not know");
+            throw Error(WEFT_ERROR_UNSUPPORTED, function, ": ", argument, " has a field at byte ", i,
+                        " that this libweft does not know");
     std::memcpy(static_cast<void*>(&options), given, std::min<std::size_t>(size, sizeof options));
     options.size = sizeof options;
     return options;
@@ -37,7 +39,9 @@ template <class Struct> Struct read_options(const Struct* given, const char* fun
 /// A field kept for later, which must be zero as long as it has no meaning.
 inline void check_zero(std::uint32_t value, const char* function, const char* argument)
 {
-    if (value != 0) throw Error(WEFT_ERROR_UNSUPPORTED, function, ": ", argument, "->zero is ", value, ", which this libweft does not know");
+    if (value != 0)
+        throw Error(WEFT_ERROR_UNSUPPORTED, function, ": ", argument, "->zero is ", value,
+                    ", which this libweft does not know");
 }
 
 /// Fills the caller's struct as far as both know it; the rest of it becomes zero, its size stays.

@@ -19,12 +19,13 @@ weft_status weft_texture_create(weft_context* context, const weft_model* model, 
         check_zero(asked.zero, function, "options");
         const auto options = complete_options(known, asked);
         auto made = make_in<Texture>(context->core, *context->core, *context->device.object, known, options);
-        *texture = make_handle<weft_texture>(context->core, context->device, model->loaded, In_core<const Texture>{made.core, made.object});
+        *texture = make_handle<weft_texture>(context->core, context->device, model->loaded,
+                                             In_core<const Texture>{made.core, made.object});
     });
 }
 
-weft_status weft_texture_render(const weft_texture* texture, int64_t x, int64_t y, uint32_t level, weft_progress progress, void* user,
-                                const weft_image* image) noexcept
+weft_status weft_texture_render(const weft_texture* texture, int64_t x, int64_t y, uint32_t level,
+                                weft_progress progress, void* user, const weft_image* image) noexcept
 {
     constexpr char function[] = "weft_texture_render";
     return guard(function, [&] {
@@ -34,7 +35,8 @@ weft_status weft_texture_render(const weft_texture* texture, int64_t x, int64_t 
     });
 }
 
-weft_status weft_texture_sample(const weft_texture* texture, size_t count, const weft_point* points, float* out) noexcept
+weft_status weft_texture_sample(const weft_texture* texture, size_t count, const weft_point* points,
+                                float* out) noexcept
 {
     constexpr char function[] = "weft_texture_sample";
     return guard(function, [&] {
@@ -43,7 +45,8 @@ weft_status weft_texture_sample(const weft_texture* texture, size_t count, const
     });
 }
 
-weft_status weft_texture_sample_surface(const weft_texture* texture, size_t count, const weft_surface_point* points, float* out) noexcept
+weft_status weft_texture_sample_surface(const weft_texture* texture, size_t count, const weft_surface_point* points,
+                                        float* out) noexcept
 {
     constexpr char function[] = "weft_texture_sample_surface";
     return guard(function, [&] {
@@ -52,7 +55,8 @@ weft_status weft_texture_sample_surface(const weft_texture* texture, size_t coun
     });
 }
 
-weft_status weft_texture_sample_solid(const weft_texture* texture, size_t count, const weft_solid_point* points, float* out) noexcept
+weft_status weft_texture_sample_solid(const weft_texture* texture, size_t count, const weft_solid_point* points,
+                                      float* out) noexcept
 {
     constexpr char function[] = "weft_texture_sample_solid";
     return guard(function, [&] {

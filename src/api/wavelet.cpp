@@ -33,7 +33,8 @@ weft_status weft_model_get_wavelet(const weft_model* model, weft_wavelet* wavele
         require(model, function, ": model is NULL");
         const std::uint32_t size = checked_size(wavelet, function, "wavelet");
         const Model& known = model->loaded.object->model;
-        if (known.method != WEFT_METHOD_WAVELET) throw Error(WEFT_ERROR_UNSUPPORTED, function, ": the model is no wavelet noise");
+        if (known.method != WEFT_METHOD_WAVELET)
+            throw Error(WEFT_ERROR_UNSUPPORTED, function, ": the model is no wavelet noise");
         weft_wavelet result{};
         result.channels = known.channels;
         std::copy_n(known.mean.begin(), known.channels, result.mean);
@@ -50,8 +51,10 @@ weft_status weft_model_from_wavelet(weft_context* context, const weft_wavelet* g
         require(given, function, ": wavelet is NULL");
         require(model, function, ": model is NULL");
         const auto wavelet = read_options(given, function, "wavelet");
-        require(wavelet.channels >= 1 && wavelet.channels <= most_channels, function, ": wavelet->channels is ", wavelet.channels, ", not 1..16");
-        require(wavelet.bands >= 1 && wavelet.bands <= most_bands, function, ": wavelet->bands is ", wavelet.bands, ", not 1..16");
+        require(wavelet.channels >= 1 && wavelet.channels <= most_channels, function, ": wavelet->channels is ",
+                wavelet.channels, ", not 1..16");
+        require(wavelet.bands >= 1 && wavelet.bands <= most_bands, function, ": wavelet->bands is ", wavelet.bands,
+                ", not 1..16");
         require(wavelet.knots <= most_knots, function, ": wavelet->knots is ", wavelet.knots, ", neither 0 nor 2..32");
         Model made;
         made.method = WEFT_METHOD_WAVELET;

@@ -30,7 +30,8 @@ double log2_of(double x) noexcept
         ++exponent;
     }
     const double s = (m - 1) / (m + 1), s2 = s * s;
-    const double series = 1 + s2 * (1.0 / 3 + s2 * (1.0 / 5 + s2 * (1.0 / 7 + s2 * (1.0 / 9 + s2 * (1.0 / 11 + s2 * (1.0 / 13))))));
+    const double series =
+        1 + s2 * (1.0 / 3 + s2 * (1.0 / 5 + s2 * (1.0 / 7 + s2 * (1.0 / 9 + s2 * (1.0 / 11 + s2 * (1.0 / 13))))));
     return exponent + 2.8853900817779268 * s * series;
 }
 
@@ -65,10 +66,14 @@ Normal_pair normal_pair_of(std::uint64_t bits) noexcept
     const Circle at = circle_at(static_cast<double>(low & 0x3fffffffU) * 0x1p-29 - 1);
     const double c = radius * at.cosine, s = radius * at.sine;
     switch (low >> 30) {
-    case 0: return {c, s};
-    case 1: return {-s, c};
-    case 2: return {-c, -s};
-    default: return {s, -c};
+    case 0:
+        return {c, s};
+    case 1:
+        return {-s, c};
+    case 2:
+        return {-c, -s};
+    default:
+        return {s, -c};
     }
 }
 

@@ -14,6 +14,9 @@ inline std::uint64_t mix_bits(std::uint64_t x) noexcept
 }
 
 /// `key` with one more number in it.
-inline std::uint64_t mix_in(std::uint64_t key, std::uint64_t number) noexcept { return mix_bits(mix_bits(key) ^ number); }
+inline std::uint64_t mix_in(std::uint64_t key, std::uint64_t number) noexcept
+{
+    return mix_bits(mix_bits(key) ^ number);
+}
 
 } // namespace weft

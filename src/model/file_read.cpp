@@ -23,10 +23,12 @@ Header read_header(Reader& file)
     const std::size_t size = file.remaining();
     const unsigned char* begin = file.take(file::header_size);
     Reader reader(begin, file::header_size);
-    demand(std::memcmp(reader.take(sizeof file::magic), file::magic, sizeof file::magic) == 0, "the bytes do not begin as a model's");
+    demand(std::memcmp(reader.take(sizeof file::magic), file::magic, sizeof file::magic) == 0,
+           "the bytes do not begin as a model's");
     const std::uint16_t major = reader.u16();
     if (major > file::major)
-        throw Error(WEFT_ERROR_UNSUPPORTED, "the model's format is ", major, ".x, this libweft reads ", file::major, ".x");
+        throw Error(WEFT_ERROR_UNSUPPORTED, "the model's format is ", major, ".x, this libweft reads ", file::major,
+                    ".x");
     demand(major == file::major, "the model's format is ", major, ".x, which never was");
     Header header{};
     header.minor = reader.u16();
@@ -36,7 +38,8 @@ Header read_header(Reader& file)
     demand(reader.u32() == crc32c(begin, file::header_size - 4), "the header's checksum is wrong");
     demand(file_size == size, "the model has ", file_size, " bytes, ", size, " were given");
     demand(zero == 0, "the header's reserved field is ", zero);
-    demand(header.chunks >= 2 && header.chunks <= file::most_chunks, "the model has ", header.chunks, " chunks, not 2..64");
+    demand(header.chunks >= 2 && header.chunks <= file::most_chunks, "the model has ", header.chunks,
+           " chunks, not 2..64");
     return header;
 }
 
@@ -76,8 +79,10 @@ Method read_method(const Chunk& chunk, Model& model)
     model.channels = reader.u32();
     const Method result{reader.u32()};
     const std::uint32_t flags = reader.u32();
-    demand(model.channels >= 1 && model.channels <= most_channels, "the model has ", model.channels, " channels, not 1..16");
-    demand(result.layers >= 1 && result.layers <= file::most_layers, "the model has ", result.layers, " layers, not 1..32");
+    demand(model.channels >= 1 && model.channels <= most_channels, "the model has ", model.channels,
+           " channels, not 1..16");
+    demand(result.layers >= 1 && result.layers <= file::most_layers, "the model has ", result.layers,
+           " layers, not 1..32");
     demand(flags == 0, "METH's flags are ", flags);
     demand(reader.remaining() == std::size_t{model.channels} * 4, "METH has ", chunk.payload.remaining(), " bytes");
     reader.floats(model.mean.data(), model.channels);
@@ -89,11 +94,11 @@ Method read_method(const Chunk& chunk, Model& model)
 }
 
 /// The floats that end a chunk. Factors are bounded before they are multiplied, the product compared before allocation.
-Planes read_planes(Reader& reader, std::pmr::memory_resource* memory, std::uint32_t width, std::uint32_t height, std::uint32_t planes,
-                   std::uint32_t images, const Model& model)
+Planes read_planes(Reader& reader, std::pmr::memory_resource* memory, std::uint32_t width, std::uint32_t height,
+                   std::uint32_t planes, std::uint32_t images, const Model& model)
 {
-    demand(width >= 1 && width <= most_side && height >= 1 && height <= most_side, "a layer has ", width, " x ", height, " values, not 1..",
-           most_side, " a side");
+    demand(width >= 1 && width <= most_side && height >= 1 && height <= most_side, "a layer has ", width, " x ", height,
+           " values, not 1..", most_side, " a side");
     demand(planes == model.channels, "a layer has ", planes, " planes, the model has ", model.channels, " channels");
     const std::uint64_t bytes = std::uint64_t{width} * height * planes * images * 4;
     demand(bytes == reader.remaining(), "a layer has ", reader.remaining(), " bytes of values, its sizes say ", bytes);
@@ -113,7 +118,8 @@ void read_splat(Reader& reader, std::pmr::memory_resource* memory, Model& model)
     model.texton.images = images;
     if (images > 1) {
         const std::size_t means = std::size_t{images} * model.channels;
-        demand(reader.remaining() >= means * 4, "SPLT has ", reader.remaining(), " bytes for the means of ", images, " images");
+        demand(reader.remaining() >= means * 4, "SPLT has ", reader.remaining(), " bytes for the means of ", images,
+               " images");
         model.texton.means = Array<float>(memory, means, Array<float>::unset);
         reader.floats(model.texton.means.data(), means);
     }
@@ -132,9 +138,9 @@ void read_bands(Reader& reader, Model& model)
     demand(wavelet.bands >= 1 && wavelet.bands <= most_bands, "BAND has ", wavelet.bands, " bands, not 1..16");
     demand(wavelet.knots <= most_knots, "BAND has ", wavelet.knots, " knots, more than 32");
     const std::uint32_t rows = planes + wavelet.bands + 3 * wavelet.knots;
-    demand(reader.remaining() == std::size_t{rows} * planes * 4, "BAND has ", reader.remaining(), " bytes of values, its sizes say ",
-           std::size_t{rows} * planes * 4);
-    const auto read = [&](float (*values)[16], std::uint32_t count) {
+    demand(reader.remaining() == std::size_t{rows} * planes * 4, "BAND has ", reader.remaining(),
+           " bytes of values, its sizes say ", std::size_t{rows} * planes * 4);
+    const auto read = [&](float(*values)[16], std::uint32_t count) {
         for (std::uint32_t i = 0; i < count; ++i) reader.floats(values[i], planes);
     };
     read(wavelet.axes, planes);
@@ -169,7 +175,8 @@ void read_layer(Chunk& chunk, std::pmr::memory_resource* memory, Model& model)
         const auto letter = static_cast<char>(kind >> 8 * i & 255);
         letters[i] = letter >= ' ' && letter <= '~' ? letter : '?';
     }
-    throw Error(WEFT_ERROR_UNSUPPORTED, "the model has a chunk ", std::string_view(letters, 4), ", which this libweft does not know");
+    throw Error(WEFT_ERROR_UNSUPPORTED, "the model has a chunk ", std::string_view(letters, 4),
+                ", which this libweft does not know");
 }
 
 } // namespace
@@ -184,7 +191,8 @@ Model read_model(std::pmr::memory_resource* memory, const unsigned char* bytes, 
     bool ignored = false;
     for (std::uint32_t i = 1; i < header.chunks; ++i) {
         Chunk chunk = read_chunk(reader);
-        if (chunk.kind == file::meth || chunk.kind == file::splt || chunk.kind == file::band || chunk.kind == file::tile) {
+        if (chunk.kind == file::meth || chunk.kind == file::splt || chunk.kind == file::band ||
+            chunk.kind == file::tile) {
             demand(!chunk.ignorable && chunk.kind != file::meth, "a chunk is marked as ignorable, or is a second METH");
             demand(layers++ < method.layers, "the model has more layers than METH says");
             read_layer(chunk, memory, model);
@@ -196,7 +204,8 @@ Model read_model(std::pmr::memory_resource* memory, const unsigned char* bytes, 
     }
     demand(reader.remaining() == 0, reader.remaining(), " bytes follow the last chunk");
     demand(layers == method.layers, "the model has ", layers, " layers, METH says ", method.layers);
-    demand(header.minor == file::minor || ignored, "the model's format is 1.", header.minor, ", but nothing in it is newer than 1.0");
+    demand(header.minor == file::minor || ignored, "the model's format is 1.", header.minor,
+           ", but nothing in it is newer than 1.0");
     check_model(model);
     return model;
 }

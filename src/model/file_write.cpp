@@ -16,9 +16,12 @@ std::uint64_t layer_length(const Model& model) noexcept
     const Wavelet& wavelet = model.wavelet;
     switch (model.method) {
     case WEFT_METHOD_TEXTON:
-        return file::splt_head + (std::uint64_t{model.texton.means.size()} + model.texton.coefficients.values.size()) * 4;
-    case WEFT_METHOD_WAVELET: return file::band_head + (channels + wavelet.bands + 3 * std::uint64_t{wavelet.knots}) * channels * 4;
-    default: return file::tile_head + std::uint64_t{model.picture.values.size()} * 4;
+        return file::splt_head +
+               (std::uint64_t{model.texton.means.size()} + model.texton.coefficients.values.size()) * 4;
+    case WEFT_METHOD_WAVELET:
+        return file::band_head + (channels + wavelet.bands + 3 * std::uint64_t{wavelet.knots}) * channels * 4;
+    default:
+        return file::tile_head + std::uint64_t{model.picture.values.size()} * 4;
     }
 }
 
@@ -56,7 +59,8 @@ void write_splat(Writer& to, const Model& model)
 {
     const Texton& texton = model.texton;
     const Planes& planes = texton.coefficients;
-    for (const std::uint32_t number : {planes.width, planes.height, model.channels, texton.images, texton.taps}) to.u32(number);
+    for (const std::uint32_t number : {planes.width, planes.height, model.channels, texton.images, texton.taps})
+        to.u32(number);
     to.f32(texton.model_error);
     to.u32(0);
     to.u32(0);
@@ -68,7 +72,7 @@ void write_bands(Writer& to, const Model& model)
 {
     const Wavelet& wavelet = model.wavelet;
     for (const std::uint32_t number : {wavelet.bands, wavelet.knots, model.channels, 0U}) to.u32(number);
-    const auto write = [&](const float (*values)[16], std::uint32_t count) {
+    const auto write = [&](const float(*values)[16], std::uint32_t count) {
         for (std::uint32_t i = 0; i < count; ++i) to.floats(values[i], model.channels);
     };
     write(wavelet.axes, model.channels);
@@ -89,7 +93,8 @@ void write_tile(Writer& to, const Model& model)
 
 std::uint64_t size_of_file(const Model& model) noexcept
 {
-    return file::header_size + 2 * file::chunk_header_size + file::padded(method_length(model)) + file::padded(layer_length(model));
+    return file::header_size + 2 * file::chunk_header_size + file::padded(method_length(model)) +
+           file::padded(layer_length(model));
 }
 
 void write_model(const Model& model, unsigned char* bytes, std::size_t size)
@@ -105,9 +110,12 @@ void write_model(const Model& model, unsigned char* bytes, std::size_t size)
     });
     const std::uint64_t length = layer_length(model);
     switch (model.method) {
-    case WEFT_METHOD_TEXTON: return write_chunk(file, file::splt, length, [&](Writer& to) { write_splat(to, model); });
-    case WEFT_METHOD_WAVELET: return write_chunk(file, file::band, length, [&](Writer& to) { write_bands(to, model); });
-    default: return write_chunk(file, file::tile, length, [&](Writer& to) { write_tile(to, model); });
+    case WEFT_METHOD_TEXTON:
+        return write_chunk(file, file::splt, length, [&](Writer& to) { write_splat(to, model); });
+    case WEFT_METHOD_WAVELET:
+        return write_chunk(file, file::band, length, [&](Writer& to) { write_bands(to, model); });
+    default:
+        return write_chunk(file, file::tile, length, [&](Writer& to) { write_tile(to, model); });
     }
 }
 

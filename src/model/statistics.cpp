@@ -30,7 +30,8 @@ double filtered(const float* row, std::int64_t width, std::int64_t x, const Auto
 {
     double sum = b.values[0] * static_cast<double>(row[x]);
     for (std::int64_t d = 1; d <= b.reach; ++d) {
-        const double left = x - d >= 0 ? static_cast<double>(row[x - d]) : 0.0, right = x + d < width ? static_cast<double>(row[x + d]) : 0.0;
+        const double left = x - d >= 0 ? static_cast<double>(row[x - d]) : 0.0,
+                     right = x + d < width ? static_cast<double>(row[x + d]) : 0.0;
         sum += b.values[d] * (left + right);
     }
     return sum;
@@ -52,8 +53,9 @@ double power_of_row(const Planes& alpha, std::uint32_t c, std::uint32_t y, const
 }
 
 /// The sum of row_sum(c, y) over the rows of each of the first `channels` planes.
-std::array<double, most_channels> sums_over_rows(const Planes& planes, std::uint32_t channels, std::pmr::memory_resource* memory,
-                                                 Parallel& parallel, const std::function<double(std::uint32_t, std::uint32_t)>& row_sum)
+std::array<double, most_channels> sums_over_rows(const Planes& planes, std::uint32_t channels,
+                                                 std::pmr::memory_resource* memory, Parallel& parallel,
+                                                 const std::function<double(std::uint32_t, std::uint32_t)>& row_sum)
 {
     Array<double> rows(memory, std::size_t{channels} * planes.height, Array<double>::unset);
     const std::uint32_t step = std::max(1U, 65536U / planes.width), tasks = (planes.height + step - 1) / step;
@@ -70,7 +72,8 @@ std::array<double, most_channels> sums_over_rows(const Planes& planes, std::uint
 }
 
 /// The noise is normal: its moments are those of its principal axes, after their tone curves.
-void add_axes(const Model& model, std::array<double, most_channels>& mean, std::array<double, most_channels>& variance) noexcept
+void add_axes(const Model& model, std::array<double, most_channels>& mean,
+              std::array<double, most_channels>& variance) noexcept
 {
     const Wavelet& wavelet = model.wavelet;
     for (std::uint32_t p = 0; p < model.channels; ++p) {
@@ -126,7 +129,8 @@ Statistics statistics_of(const Model& model, std::pmr::memory_resource* memory, 
             result.mean[c] = static_cast<float>(sums[c] / area);
         }
     }
-    for (std::uint32_t c = 0; c < model.channels; ++c) result.deviation[c] = static_cast<float>(std::sqrt(std::max(variance[c], 0.0)));
+    for (std::uint32_t c = 0; c < model.channels; ++c)
+        result.deviation[c] = static_cast<float>(std::sqrt(std::max(variance[c], 0.0)));
     return result;
 }
 

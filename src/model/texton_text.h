@@ -9,8 +9,8 @@
 ///     ...                                they carry the 1 / sqrt(|Omega|) of the exemplar, as ours do
 ///     Original image: ...                a note
 ///
-/// The authors' program wants a texton that is 0 on its border, so that a graphics card may clamp there; their writer adds
-/// a frame of zeros, one wide, and counts it in the size.
+/// The authors' program wants a texton that is 0 on its border, so that a graphics card may clamp there; their writer
+/// adds a frame of zeros, one wide, and counts it in the size.
 #pragma once
 #include "base/core.h"
 #include "model/model.h"
@@ -20,8 +20,8 @@ namespace weft {
 /// Numbers may be separated by any white space; a frame that is all zeros is taken off. Throws WEFT_ERROR_FORMAT.
 Model read_texton_text(Core& core, const char* text, std::size_t size);
 
-/// Returns the text's length, and writes the text if that is not above `size`. Each number is the shortest that reads back
-/// as the same float. Throws WEFT_ERROR_UNSUPPORTED unless the model is a single texton of 1 or 3 channels.
+/// Returns the text's length, and writes the text if that is not above `size`. Each number is the shortest that reads
+/// back as the same float. Throws WEFT_ERROR_UNSUPPORTED unless the model is a single texton of 1 or 3 channels.
 std::size_t write_texton_text(const Model& model, char* text, std::size_t size);
 
 } // namespace weft

@@ -48,7 +48,8 @@ void append_model(Text& text, const Model& model) noexcept
     for (std::uint32_t y = height; y-- > 0;)
         for (std::uint32_t x = 0; x < width; ++x) {
             const bool frame = x == 0 || y == 0 || x + 1 == width || y + 1 == height;
-            append_colour(text, model.channels, [&](std::uint32_t c) { return frame ? 0.0f : planes.row(c, y - 1)[x - 1]; });
+            append_colour(text, model.channels,
+                          [&](std::uint32_t c) { return frame ? 0.0f : planes.row(c, y - 1)[x - 1]; });
         }
     text.append("\nWritten by libweft\n");
 }

@@ -1,4 +1,5 @@
-/// The polynomials between knots, and their moments by the trapezoidal rule, which is nearly exact under a normal density.
+/// The polynomials between knots, and their moments by the trapezoidal rule, which is nearly exact under a normal
+/// density.
 #include "model/tone.h"
 #include "base/elementary.h"
 #include <algorithm>
@@ -11,9 +12,11 @@ Tone_piece tone_piece(const Wavelet& wavelet, std::uint32_t axis, std::uint32_t 
     const double x = static_cast<double>(wavelet.knot_x[k][axis]), y = static_cast<double>(wavelet.knot_y[k][axis]);
     const double width = static_cast<double>(wavelet.knot_x[k + 1][axis]) - x;
     const double slope = (static_cast<double>(wavelet.knot_y[k + 1][axis]) - y) / width;
-    const double begin = static_cast<double>(wavelet.knot_slope[k][axis]), end = static_cast<double>(wavelet.knot_slope[k + 1][axis]);
+    const double begin = static_cast<double>(wavelet.knot_slope[k][axis]),
+                 end = static_cast<double>(wavelet.knot_slope[k + 1][axis]);
     const double c2 = (3 * slope - 2 * begin - end) / width, c3 = (begin + end - 2 * slope) / (width * width);
-    return {wavelet.knot_x[k][axis], wavelet.knot_y[k][axis], wavelet.knot_slope[k][axis], static_cast<float>(c2), static_cast<float>(c3)};
+    return {wavelet.knot_x[k][axis], wavelet.knot_y[k][axis], wavelet.knot_slope[k][axis], static_cast<float>(c2),
+            static_cast<float>(c3)};
 }
 
 double tone_at(const Wavelet& wavelet, std::uint32_t axis, double v) noexcept
@@ -26,7 +29,8 @@ double tone_at(const Wavelet& wavelet, std::uint32_t axis, double v) noexcept
     const Tone_piece piece = tone_piece(wavelet, axis, k);
     const double d = v - static_cast<double>(piece.x);
     return static_cast<double>(piece.c0) +
-           d * (static_cast<double>(piece.c1) + d * (static_cast<double>(piece.c2) + d * static_cast<double>(piece.c3)));
+           d * (static_cast<double>(piece.c1) +
+                d * (static_cast<double>(piece.c2) + d * static_cast<double>(piece.c3)));
 }
 
 Tone_moments tone_moments(const Wavelet& wavelet, std::uint32_t axis, double variance) noexcept

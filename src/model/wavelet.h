@@ -1,4 +1,5 @@
-/// What a wavelet noise model holds: weights of octaves, tone curves and the colour frame; as in weft_wavelet, but for the mean.
+/// What a wavelet noise model holds: weights of octaves, tone curves and the colour frame; as in weft_wavelet, but for
+/// the mean.
 #pragma once
 #include <cstdint>
 

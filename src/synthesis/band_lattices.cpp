@@ -9,7 +9,7 @@ namespace weft {
 namespace {
 
 constexpr std::uint32_t plane_side = 256, solid_side = 64;
-constexpr std::uint32_t least_side = 16;   ///< of make_wavelet_lattice
+constexpr std::uint32_t least_side = 16;     ///< of make_wavelet_lattice
 constexpr std::uint32_t longest_side = 4096; ///< of an endless axis beside one with an odd period
 
 /// How often 2 divides the period; an endless axis never ends to be even.
@@ -42,8 +42,8 @@ struct Band_lattices::Plan {
     Sides sides[most_bands]{};
 };
 
-Band_lattices::Band_lattices(Core& core, const Wavelet& wavelet, std::uint32_t axes, std::uint64_t seed, std::uint32_t period_x,
-                             std::uint32_t period_y)
+Band_lattices::Band_lattices(Core& core, const Wavelet& wavelet, std::uint32_t axes, std::uint64_t seed,
+                             std::uint32_t period_x, std::uint32_t period_y)
     : lattices_(&core.memory)
 {
     const std::uint32_t halvings = std::min(halvings_of(period_x), halvings_of(period_y));
@@ -61,7 +61,8 @@ Band_lattices::Band_lattices(Core& core, const Wavelet& wavelet, std::uint32_t a
     make_all(core, wavelet, axes, seed, plan);
 }
 
-Band_lattices::Band_lattices(Core& core, const Wavelet& wavelet, std::uint32_t axes, std::uint64_t seed) : lattices_(&core.memory)
+Band_lattices::Band_lattices(Core& core, const Wavelet& wavelet, std::uint32_t axes, std::uint64_t seed)
+    : lattices_(&core.memory)
 {
     Plan plan;
     plan.count = wavelet.bands;
@@ -70,7 +71,8 @@ Band_lattices::Band_lattices(Core& core, const Wavelet& wavelet, std::uint32_t a
     make_all(core, wavelet, axes, seed, plan);
 }
 
-void Band_lattices::make_all(Core& core, const Wavelet& wavelet, std::uint32_t axes, std::uint64_t seed, const Plan& plan)
+void Band_lattices::make_all(Core& core, const Wavelet& wavelet, std::uint32_t axes, std::uint64_t seed,
+                             const Plan& plan)
 {
     table_ = Array<weft_band>(&core.memory, std::size_t{plan.count} * axes);
     bands_ = {sizeof bands_, plan.count, table_.data()};
@@ -78,11 +80,10 @@ void Band_lattices::make_all(Core& core, const Wavelet& wavelet, std::uint32_t a
     for (std::uint32_t p = 0; p < axes; ++p) make(core, wavelet, p, mix_in(mix_in(seed, plan.solid ? 3 : 2), p), plan);
 }
 
+/// All bands of one axis.
 void Band_lattices::make(Core& core, const Wavelet& wavelet, std::uint32_t axis, std::uint64_t key, const Plan& plan)
 {
-    const Torus* shared = nullptr;
-    double power = 0;
-    std::uint32_t power_phases = 0;
+    Shared shared;
     const std::size_t axes = table_.size() / plan.count;
     for (std::uint32_t b = 0; b < plan.count; ++b) {
         weft_band& band = table_[b * axes + axis];
@@ -95,31 +96,37 @@ void Band_lattices::make(Core& core, const Wavelet& wavelet, std::uint32_t axis,
         for (std::uint32_t c = 0; c < octaves; ++c) deviations[c] = wavelet.weight[b + c][axis];
         if (std::all_of(deviations, deviations + octaves, [](float deviation) { return deviation == 0; })) continue;
 
-        const std::uint64_t band_key = mix_in(mix_in(key, std::uint64_t{sides.width} << 32 | sides.height), 0);
-        const std::uint32_t phases = plan.solid ? most_parts_log2 + 1 : std::min(b, most_parts_log2 + 1);
-        const bool even = sides.width % 2 == 0 && sides.height % 2 == 0 && std::min(sides.width, sides.height) >= least_side;
-        if (!even || octaves > 1) {
-            lattices_.push_back(make_octaves(core, sides, band_key, filters_, spline_overlap(phases), octaves, deviations));
+        const std::uint64_t band_key = mix_in(key, std::uint64_t{sides.width} << 32 | sides.height);
+        const std::uint32_t parts_log2 = plan.solid ? most_parts_log2 + 1 : std::min(b, most_parts_log2 + 1);
+        const bool even = sides.width % 2 == 0 && sides.height % 2 == 0;
+        if (even && octaves == 1 && std::min(sides.width, sides.height) >= least_side) {
+            share(core, shared, sides, band_key, parts_log2);
+            band.lattice = shared.lattice->values.data();
+            band.weight = static_cast<float>(static_cast<double>(deviations[0]) / std::sqrt(shared.power));
+            const Sides shift = hashed_shift(sides, mix_in(band_key, 1 + b));
+            band.x = shift.width;
+            band.y = shift.height;
+            band.z = shift.depth;
+        } else {
+            const Taps overlap = spline_overlap(parts_log2);
+            lattices_.push_back(make_octaves(core, sides, band_key, filters_, overlap, octaves, deviations));
             band.lattice = lattices_.back().values.data();
             band.weight = 1;
-            continue;
         }
-        if (!shared || !(shared->sides == sides)) {
-            lattices_.push_back(make_wavelet_lattice(core, sides, band_key, filters_));
-            shared = &lattices_.back();
-            power = 0;
-        }
-        if (power == 0 || phases != power_phases) {
-            power = power_of(core, *shared, spline_overlap(phases));
-            power_phases = phases;
-        }
-        band.lattice = shared->values.data();
-        band.weight = static_cast<float>(static_cast<double>(deviations[0]) / std::sqrt(power));
-        const std::uint64_t shift = mix_in(band_key, 1 + b);
-        band.x = static_cast<std::uint32_t>((mix_in(shift, 0) >> 32) * sides.width >> 32);
-        band.y = static_cast<std::uint32_t>((mix_in(shift, 1) >> 32) * sides.height >> 32);
-        band.z = static_cast<std::uint32_t>((mix_in(shift, 2) >> 32) * sides.depth >> 32);
     }
+}
+
+/// Makes a lattice of these sides, unless the last one is, and measures it, unless that was done in the same way.
+void Band_lattices::share(Core& core, Shared& shared, const Sides& sides, std::uint64_t key, std::uint32_t parts_log2)
+{
+    const bool known = shared.lattice && shared.lattice->sides == sides;
+    if (!known) {
+        lattices_.push_back(make_wavelet_lattice(core, sides, key, filters_));
+        shared.lattice = &lattices_.back();
+    }
+    if (known && parts_log2 == shared.parts_log2) return;
+    shared.power = power_of(core, *shared.lattice, spline_overlap(parts_log2));
+    shared.parts_log2 = parts_log2;
 }
 
 } // namespace weft

@@ -13,7 +13,10 @@ template <class... Parts> void demand(bool good, const Parts&... parts)
     if (!good) throw Error(WEFT_ERROR_INTERNAL, "a program was made with ", parts...);
 }
 
-bool within(std::uint32_t value, std::uint32_t low, std::uint32_t high) noexcept { return value >= low && value <= high; }
+bool within(std::uint32_t value, std::uint32_t low, std::uint32_t high) noexcept
+{
+    return value >= low && value <= high;
+}
 
 bool all_finite(const float* values, std::size_t count) noexcept { return all_below(values, count, infinity_bits); }
 
@@ -23,22 +26,30 @@ void check_choice(const weft_ref& choice, const weft_program& program, std::uint
     if (choice.layer == -1) return;
     demand(choice.layer >= 0 && static_cast<std::uint32_t>(choice.layer) < index, "a choice by layer ", choice.layer);
     const weft_layer& chooser = *program.layers[choice.layer];
-    demand(chooser.tile && chooser.tile->displacement.layer == -1 && choice.plane < chooser.planes, "a choice by no TILE");
+    demand(chooser.tile && chooser.tile->displacement.layer == -1 && choice.plane < chooser.planes,
+           "a choice by no TILE");
     demand(program.use != WEFT_USE_SURFACE, "a choice on a surface");
 }
 
 void check_mips(const weft_mips& mips, const weft_layer& layer, bool tile)
 {
-    demand(within(mips.width, 1, 16384) && within(mips.height, 1, 16384), "a picture of ", mips.width, " x ", mips.height);
-    demand(mips.planes == layer.planes && within(mips.images, 1, tile ? 1 : 255), mips.planes, " planes and ", mips.images, " images");
+    demand(within(mips.width, 1, 16384) && within(mips.height, 1, 16384), "a picture of ", mips.width, " x ",
+           mips.height);
+    demand(mips.planes == layer.planes && within(mips.images, 1, tile ? 1 : 255), mips.planes, " planes and ",
+           mips.images, " images");
     demand(within(mips.levels, 1, 15), mips.levels, " levels");
     for (std::uint32_t l = 0; l < mips.levels; ++l) {
         const weft_mip& level = mips.level[l];
-        demand(level.data && within(level.width, 1, mips.width + 8) && within(level.height, 1, mips.height + 8), "an empty level ", l);
+        demand(level.data && within(level.width, 1, mips.width + 8) && within(level.height, 1, mips.height + 8),
+               "an empty level ", l);
         demand(l > 0 || tile || (level.width >= mips.width && level.height >= mips.height), "a small level 0");
-        demand(level.x >= -4 && level.x <= 4 && level.y >= -4 && level.y <= 4 && (!tile || (level.x == 0 && level.y == 0)), "a shifted level");
-        demand(!tile || (level.scale_x > 0 && level.scale_y > 0 && level.scale_x <= 1 && level.scale_y <= 1), "a level of no scale");
-        demand(all_finite(level.data, std::size_t{level.width} * level.height * mips.planes * mips.images), "a texel that is not finite");
+        demand(level.x >= -4 && level.x <= 4 && level.y >= -4 && level.y <= 4 &&
+                   (!tile || (level.x == 0 && level.y == 0)),
+               "a shifted level");
+        demand(!tile || (level.scale_x > 0 && level.scale_y > 0 && level.scale_x <= 1 && level.scale_y <= 1),
+               "a level of no scale");
+        demand(all_finite(level.data, std::size_t{level.width} * level.height * mips.planes * mips.images),
+               "a texel that is not finite");
     }
 }
 
@@ -47,27 +58,32 @@ void check_splat(const weft_splat& splat, const weft_layer& layer, const weft_pr
     demand(splat.taps == 1 || splat.taps == 2 || splat.taps == 4 || splat.taps == 6, splat.taps, " taps");
     demand(splat.cell_log2 <= 15, "cells of 2^", splat.cell_log2);
     demand(within(splat.count_limit, 1, 255) && splat.counts, splat.count_limit, " counts");
-    for (std::uint32_t i = 1; i < splat.count_limit; ++i) demand(splat.counts[i - 1] <= splat.counts[i], "counts that descend");
+    for (std::uint32_t i = 1; i < splat.count_limit; ++i)
+        demand(splat.counts[i - 1] <= splat.counts[i], "counts that descend");
     demand(splat.signs <= 1 && splat.textons && splat.offset, "an incomplete SPLAT");
     check_choice(splat.choice, program, index);
     demand(all_finite(splat.offset, layer.planes), "an offset that is not finite");
-    for (std::uint32_t p = 0; p < layer.planes; ++p) demand(splat.offset[p] != 0 || !std::signbit(splat.offset[p]), "an offset of -0");
+    for (std::uint32_t p = 0; p < layer.planes; ++p)
+        demand(splat.offset[p] != 0 || !std::signbit(splat.offset[p]), "an offset of -0");
     check_mips(*splat.textons, layer, false);
 }
 
 void check_grid(const weft_grid& grid, std::uint32_t size, std::uint32_t period)
 {
-    demand(grid.span >= 1 && grid.cells >= 1 && (period == 0 ? grid.cells == 1 : grid.span == period), "a grid of ", grid.cells, " cells on ",
-           grid.span, " pixels");
-    demand(std::isfinite(grid.inverse) && grid.step > 0 && grid.step < static_cast<float>(size) + 1.0F, "a grid of step ", grid.step);
+    demand(grid.span >= 1 && grid.cells >= 1 && (period == 0 ? grid.cells == 1 : grid.span == period), "a grid of ",
+           grid.cells, " cells on ", grid.span, " pixels");
+    demand(std::isfinite(grid.inverse) && grid.step > 0 && grid.step < static_cast<float>(size) + 1.0F,
+           "a grid of step ", grid.step);
     demand((std::uint64_t{grid.cells} * size == grid.span) == (grid.step == 1.0F), "a stretched grid of step 1");
 }
 
 void check_tile(const weft_tile& tile, const weft_layer& layer, const weft_program& program)
 {
-    demand(tile.address == WEFT_ADDRESS_CELLS && !tile.wang && !tile.exchange, "an address that this libweft does not make");
+    demand(tile.address == WEFT_ADDRESS_CELLS && !tile.wang && !tile.exchange,
+           "an address that this libweft does not make");
     demand(tile.source && tile.displacement.layer == -1 && std::isfinite(tile.level), "an incomplete TILE");
-    demand(tile.width == tile.source->width && tile.height == tile.source->height, "cells of ", tile.width, " x ", tile.height);
+    demand(tile.width == tile.source->width && tile.height == tile.source->height, "cells of ", tile.width, " x ",
+           tile.height);
     check_grid(tile.x, tile.width, program.period[0]);
     check_grid(tile.y, tile.height, program.period[1]);
     check_mips(*tile.source, layer, true);
@@ -80,12 +96,15 @@ void check_bands(const weft_bands& bands, const weft_layer& layer, const weft_pr
         const weft_band& band = bands.bands[i];
         demand(std::isfinite(band.weight) && (band.weight == 0 || band.lattice), "a band without lattice");
         if (!band.lattice) continue;
-        demand(band.width >= 1 && band.height >= 1 && band.depth >= 1 && (band.depth == 1 || program.use == WEFT_USE_SOLID), "a lattice of ",
-               band.width, " x ", band.height, " x ", band.depth);
+        demand(band.width >= 1 && band.height >= 1 && band.depth >= 1 &&
+                   (band.depth == 1 || program.use == WEFT_USE_SOLID),
+               "a lattice of ", band.width, " x ", band.height, " x ", band.depth);
         for (const std::uint32_t shift : {band.x, band.y, band.z}) demand(shift < 1U << 31, "a shift of ", shift);
         for (int axis = 0; axis < 2; ++axis) {
-            const std::uint32_t b = i / layer.planes, period = program.period[axis], side = axis == 0 ? band.width : band.height;
-            demand(period == 0 || (period % (1U << b) == 0 && (period >> b) % side == 0), "a lattice of ", side, " in a period of ", period);
+            const std::uint32_t b = i / layer.planes, period = program.period[axis],
+                                side = axis == 0 ? band.width : band.height;
+            demand(period == 0 || (period % (1U << b) == 0 && (period >> b) % side == 0), "a lattice of ", side,
+                   " in a period of ", period);
         }
         const std::size_t count = std::size_t{band.width} * band.height * band.depth;
         const bool seen = i >= layer.planes && bands.bands[i - layer.planes].lattice == band.lattice;
@@ -95,12 +114,13 @@ void check_bands(const weft_bands& bands, const weft_layer& layer, const weft_pr
 
 void check_tone(const weft_tone& tone)
 {
-    demand(within(tone.count, 1, 64) && tone.pieces && std::isfinite(tone.low) && std::isfinite(tone.high) && tone.low <= tone.high,
+    demand(within(tone.count, 1, 64) && tone.pieces && std::isfinite(tone.low) && std::isfinite(tone.high) &&
+               tone.low <= tone.high,
            "a tone curve of ", tone.count, " pieces");
     for (std::uint32_t k = 0; k < tone.count; ++k) {
         const weft_piece& piece = tone.pieces[k];
-        demand(all_finite(&piece.x, 1) && all_finite(&piece.c0, 1) && all_finite(&piece.c1, 1) && all_finite(&piece.c2, 1) &&
-                   all_finite(&piece.c3, 1),
+        demand(all_finite(&piece.x, 1) && all_finite(&piece.c0, 1) && all_finite(&piece.c1, 1) &&
+                   all_finite(&piece.c2, 1) && all_finite(&piece.c3, 1),
                "a tone curve that is not finite");
         demand(k == 0 ? piece.x <= tone.low : tone.pieces[k - 1].x < piece.x, "a tone curve that descends");
     }
@@ -109,16 +129,20 @@ void check_tone(const weft_tone& tone)
 void check_layer(const weft_program& program, std::uint32_t index)
 {
     const weft_layer& layer = *program.layers[index];
-    demand(within(layer.planes, 1, 40) && layer.channels <= layer.planes && layer.channels <= 16, layer.planes, " planes, ", layer.channels,
-           " of them coloured");
+    demand(within(layer.planes, 1, 40) && layer.channels <= layer.planes && layer.channels <= 16, layer.planes,
+           " planes, ", layer.channels, " of them coloured");
     demand(layer.mask.layer == -1, "a mask, which this libweft does not make");
     demand(layer.colour && layer.mean && all_finite(layer.colour, std::size_t{program.channels} * layer.channels) &&
                all_finite(layer.mean, program.channels),
            "a colour that is not finite");
-    demand((layer.kind == WEFT_LAYER_SPLAT) == (layer.splat != nullptr) && (layer.kind == WEFT_LAYER_TILE) == (layer.tile != nullptr) &&
-               (layer.kind == WEFT_LAYER_BANDS) == (layer.bands != nullptr) && (layer.splat || layer.tile || layer.bands),
+    demand((layer.kind == WEFT_LAYER_SPLAT) == (layer.splat != nullptr) &&
+               (layer.kind == WEFT_LAYER_TILE) == (layer.tile != nullptr) &&
+               (layer.kind == WEFT_LAYER_BANDS) == (layer.bands != nullptr) &&
+               (layer.splat || layer.tile || layer.bands),
            "a layer of kind ", layer.kind);
-    demand(layer.splat ? program.use != WEFT_USE_SOLID : layer.bands ? program.use != WEFT_USE_SURFACE : program.use <= WEFT_USE_POINTS,
+    demand(layer.splat   ? program.use != WEFT_USE_SOLID
+           : layer.bands ? program.use != WEFT_USE_SURFACE
+                         : program.use <= WEFT_USE_POINTS,
            "a layer of kind ", layer.kind, " for use ", program.use);
     if (layer.splat) check_splat(*layer.splat, layer, program, index);
     if (layer.tile) check_tile(*layer.tile, layer, program);

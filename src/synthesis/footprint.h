@@ -1,7 +1,7 @@
 /// From a shading point to spots: what part of the texture a screen pixel covers.
 #pragma once
-#include <weft/backend.h>
 #include <cstdint>
+#include <weft/backend.h>
 
 namespace weft {
 

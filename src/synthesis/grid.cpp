@@ -10,7 +10,8 @@ namespace {
 weft_grid grid_of(std::uint32_t size, std::uint32_t scale, std::uint32_t period) noexcept
 {
     const std::uint32_t natural = size * scale; // at most 2^14 * 2^16
-    const std::uint32_t cells = period == 0 ? 1 : std::max(1U, (period + natural / 2) / natural), span = period == 0 ? natural : period;
+    const std::uint32_t cells = period == 0 ? 1 : std::max(1U, (period + natural / 2) / natural),
+                        span = period == 0 ? natural : period;
     const std::uint64_t texels = std::uint64_t{cells} * size;
     auto step = static_cast<float>(static_cast<double>(texels) / span);
     if (step == 1.0F && texels != span) step = 0x1.000002p0F; // 1 says that they are equal
@@ -19,7 +20,8 @@ weft_grid grid_of(std::uint32_t size, std::uint32_t scale, std::uint32_t period)
 
 } // namespace
 
-weft_tile repeated_tile(const weft_mips& picture, std::uint32_t scale, std::uint32_t period_x, std::uint32_t period_y) noexcept
+weft_tile repeated_tile(const weft_mips& picture, std::uint32_t scale, std::uint32_t period_x,
+                        std::uint32_t period_y) noexcept
 {
     weft_tile tile{};
     tile.size = sizeof tile;

@@ -24,13 +24,6 @@ void keep_even(Torus& torus, unsigned axis, Parallel& parallel)
 
 std::uint32_t odd_half(std::uint32_t side) noexcept { return side / 2 | 1U; }
 
-/// A shift of each axis by hash.
-Sides hashed_shift(const Sides& sides, std::uint64_t key) noexcept
-{
-    const auto of_axis = [&](unsigned axis) { return static_cast<std::uint32_t>((mix_in(key, axis) >> 32) * sides[axis] >> 32); };
-    return {of_axis(0), of_axis(1), of_axis(2)};
-}
-
 void subtract(Torus& from, const Torus& what, Parallel& parallel)
 {
     const auto row = [&](std::size_t r) {
@@ -40,6 +33,14 @@ void subtract(Torus& from, const Torus& what, Parallel& parallel)
 }
 
 } // namespace
+
+Sides hashed_shift(const Sides& sides, std::uint64_t key) noexcept
+{
+    const auto of_axis = [&](unsigned axis) {
+        return static_cast<std::uint32_t>((mix_in(key, axis) >> 32) * sides[axis] >> 32);
+    };
+    return {of_axis(0), of_axis(1), of_axis(2)};
+}
 
 double power_of(Core& core, const Torus& lattice, const Taps& overlap)
 {
@@ -69,8 +70,8 @@ Torus make_wavelet_lattice(Core& core, const Sides& sides, std::uint64_t key, co
     return a;
 }
 
-Torus make_octaves(Core& core, const Sides& sides, std::uint64_t key, const Wavelet_filters& filters, const Taps& overlap,
-                   std::uint32_t octaves, const float* deviations)
+Torus make_octaves(Core& core, const Sides& sides, std::uint64_t key, const Wavelet_filters& filters,
+                   const Taps& overlap, std::uint32_t octaves, const float* deviations)
 {
     Torus sum(&core.memory, sides), noise(&core.memory, sides), a(&core.memory, sides), b(&core.memory, sides);
     std::fill_n(sum.values.data(), sum.values.size(), 0.0F);
@@ -85,7 +86,8 @@ Torus make_octaves(Core& core, const Sides& sides, std::uint64_t key, const Wave
         const double power = power_of(core, noise, overlap);
         if (power > 0.1 * expected) {
             const double factor = static_cast<double>(deviations[octave]) / std::sqrt(power);
-            add_shifted(noise, sum, hashed_shift(sides, mix_in(key, octave)), static_cast<float>(factor), core.parallel);
+            add_shifted(noise, sum, hashed_shift(sides, mix_in(key, octave)), static_cast<float>(factor),
+                        core.parallel);
         }
         std::swap(noise, b);
     }

@@ -30,7 +30,8 @@ void publish(Mip_chain& chain, const Planes& zero, std::uint32_t images, std::ui
 }
 
 /// Calls row(c, y) for every row of the planes.
-void for_each_row(const Planes& planes, Parallel& parallel, const std::function<void(std::uint32_t, std::uint32_t)>& row)
+void for_each_row(const Planes& planes, Parallel& parallel,
+                  const std::function<void(std::uint32_t, std::uint32_t)>& row)
 {
     const std::uint32_t step = std::max(1U, 16384U / planes.width), tasks = (planes.height + step - 1) / step;
     const auto work = [&](std::uint32_t task) {
@@ -45,13 +46,14 @@ void for_each_row(const Planes& planes, Parallel& parallel, const std::function<
 /// 1 / coarse of a fine texel, so that every weight is an integer.
 struct Span {
     Span(std::uint32_t i, std::uint32_t fine, std::uint32_t coarse) noexcept
-        : begin(std::uint64_t{i} * fine), end(begin + fine), unit(coarse), first(static_cast<std::uint32_t>(begin / coarse)),
-          last(static_cast<std::uint32_t>((end - 1) / coarse))
+        : begin(std::uint64_t{i} * fine), end(begin + fine), unit(coarse),
+          first(static_cast<std::uint32_t>(begin / coarse)), last(static_cast<std::uint32_t>((end - 1) / coarse))
     {
     }
     double weight(std::uint32_t texel) const noexcept
     {
-        const std::uint64_t from = std::max(begin, std::uint64_t{texel} * unit), to = std::min(end, std::uint64_t{texel + 1} * unit);
+        const std::uint64_t from = std::max(begin, std::uint64_t{texel} * unit),
+                            to = std::min(end, std::uint64_t{texel + 1} * unit);
         return static_cast<double>(to - from);
     }
     std::uint64_t begin, end;
@@ -100,7 +102,8 @@ Reach reach_of(const Planes& planes, double rate, std::uint32_t level, std::uint
     const double pixel = static_cast<double>(1U << level);
     Reach reach{0, rate * pixel * pixel * taps * taps};
     for (std::uint32_t c = 0; c < planes.count; ++c)
-        reach.deviation = std::max(reach.deviation, std::abs(static_cast<double>(planes.row(c, 0)[0])) * std::sqrt(rate) * pixel);
+        reach.deviation =
+            std::max(reach.deviation, std::abs(static_cast<double>(planes.row(c, 0)[0])) * std::sqrt(rate) * pixel);
     return reach;
 }
 
@@ -112,7 +115,8 @@ void make_picture_mips(Mip_chain& chain, const Planes& picture, std::pmr::memory
     const Planes* fine = &picture;
     while ((fine->width > 1 || fine->height > 1) && levels < most_levels) {
         Planes& coarse = chain.own[levels];
-        coarse = Planes(memory, side_at(picture.width, levels), side_at(picture.height, levels), picture.count, Array<float>::unset);
+        coarse = Planes(memory, side_at(picture.width, levels), side_at(picture.height, levels), picture.count,
+                        Array<float>::unset);
         const auto row = [&](std::uint32_t c, std::uint32_t y) { average(*fine, coarse, c, y); };
         for_each_row(coarse, parallel, std::ref(row));
         fine = &coarse;
@@ -121,8 +125,8 @@ void make_picture_mips(Mip_chain& chain, const Planes& picture, std::pmr::memory
     publish(chain, picture, 1, levels);
 }
 
-void make_texton_mips(Mip_chain& chain, const Texton& texton, std::uint32_t images, double scale, double rate, std::uint32_t most,
-                      std::pmr::memory_resource* memory, Parallel& parallel)
+void make_texton_mips(Mip_chain& chain, const Texton& texton, std::uint32_t images, double scale, double rate,
+                      std::uint32_t most, std::pmr::memory_resource* memory, Parallel& parallel)
 {
     constexpr double unseen = 1.0 / 2048; // of the range of colours
     constexpr double most_impacts = 8192; // a sample: beyond, a window takes minutes

@@ -24,7 +24,8 @@ Array<std::uint32_t> poisson_thresholds(std::pmr::memory_resource* memory, doubl
     return result;
 }
 
-std::uint32_t choose_cell_log2(double rate, double width, double height, std::uint32_t period_x, std::uint32_t period_y) noexcept
+std::uint32_t choose_cell_log2(double rate, double width, double height, std::uint32_t period_x,
+                               std::uint32_t period_y) noexcept
 {
     constexpr double cell_cost = 2; // in impacts: measured on points, which visit every cell within reach
     std::uint32_t best = 0;

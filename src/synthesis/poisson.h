@@ -12,9 +12,11 @@ Array<std::uint32_t> poisson_thresholds(std::pmr::memory_resource* memory, doubl
 
 /// log2 of the edge of the cells with which a sample is found fastest: impacts of `rate` per pixel that reach
 /// width x height pixels. Cells hold at most most_mean impacts, and are not much larger than the period (0: none).
-std::uint32_t choose_cell_log2(double rate, double width, double height, std::uint32_t period_x, std::uint32_t period_y) noexcept;
+std::uint32_t choose_cell_log2(double rate, double width, double height, std::uint32_t period_x,
+                               std::uint32_t period_y) noexcept;
 
-/// The same in space: impacts of `rate` per pixel cubed, from within half a `side` along each axis of a frame turned any way.
+/// The same in space: impacts of `rate` per pixel cubed, from within half a `side` along each axis of a frame turned
+/// any way.
 std::uint32_t choose_cell_log2_in_space(double rate, double side) noexcept;
 
 } // namespace weft

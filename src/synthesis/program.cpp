@@ -15,28 +15,31 @@ constexpr std::uint32_t most_period = 1U << 24;
 void check_period(std::uint32_t period, std::uint32_t size, const char* field)
 {
     require(period <= most_period, "weft_texture_create: options->", field, " is ", period, ", more than 2^24");
-    require(size == 0 || period % size == 0, "weft_texture_create: options->", field, " is ", period, ", no multiple of the picture's ", size);
+    require(size == 0 || period % size == 0, "weft_texture_create: options->", field, " is ", period,
+            ", no multiple of the picture's ", size);
 }
 
 void check_mix(const Model& model, const weft_texture_options& options)
 {
     constexpr char function[] = "weft_texture_create";
     const float scale = options.mix_scale;
-    require(scale >= 1 && scale <= 65536 && scale == std::floor(scale), function, ": options->mix_scale is ", scale, ", no whole number of 1..65536");
+    require(scale >= 1 && scale <= 65536 && scale == std::floor(scale), function, ": options->mix_scale is ", scale,
+            ", no whole number of 1..65536");
     if (!options.mix) return;
     check_image(options.mix, function, "options->mix");
     require(options.mix->channels == 1, function, ": options->mix->channels is ", options.mix->channels, ", not 1");
-    require(options.mix->width <= most_side && options.mix->height <= most_side, function, ": options->mix is ", options.mix->width, " x ",
-            options.mix->height, ", more than ", most_side, " a side");
-    require(model.texton.images > 1, function, ": options->mix is given, but the model is not mixed of two by weft_model_mix");
+    require(options.mix->width <= most_side && options.mix->height <= most_side, function, ": options->mix is ",
+            options.mix->width, " x ", options.mix->height, ", more than ", most_side, " a side");
+    require(model.texton.images > 1, function,
+            ": options->mix is given, but the model is not mixed of two by weft_model_mix");
 }
 
 } // namespace
 
 weft_texture_options complete_options(const Model& model, weft_texture_options options)
 {
-    require(options.impacts == 0 || (options.impacts >= 1 && options.impacts <= 1000), "weft_texture_create: options->impacts is ",
-            options.impacts, ", not 1..1000");
+    require(options.impacts == 0 || (options.impacts >= 1 && options.impacts <= 1000),
+            "weft_texture_create: options->impacts is ", options.impacts, ", not 1..1000");
     if (options.mix_scale == 0) options.mix_scale = 1;
     check_period(options.period_x, model.picture.width, "period_x");
     check_period(options.period_y, model.picture.height, "period_y");
@@ -44,7 +47,8 @@ weft_texture_options complete_options(const Model& model, weft_texture_options o
     return options;
 }
 
-Program::Program(Core& core, const Model& model, const weft_texture_options& options, Positions positions) : channels_(model.channels)
+Program::Program(Core& core, const Model& model, const weft_texture_options& options, Positions positions)
+    : channels_(model.channels)
 {
     for (std::uint32_t c = 0; c < channels_; ++c) {
         identity_[c * channels_ + c] = 1;
@@ -60,7 +64,9 @@ Program::Program(Core& core, const Model& model, const weft_texture_options& opt
         add_mix(core, model.texton, options);
     else
         add_texton(core, model.texton, options);
-    publish(options, positions == in_plane ? WEFT_USE_WINDOW : model.method == WEFT_METHOD_WAVELET ? WEFT_USE_SOLID : WEFT_USE_SURFACE);
+    publish(options, positions == in_plane                 ? WEFT_USE_WINDOW
+                     : model.method == WEFT_METHOD_WAVELET ? WEFT_USE_SOLID
+                                                           : WEFT_USE_SURFACE);
     check_program(program_); // points_ differs in its use alone
 }
 

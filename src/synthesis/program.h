@@ -7,8 +7,8 @@
 
 namespace weft {
 
-/// Checks the options of weft_texture_create against the model, and fills in defaults but for the impacts, whose default
-/// depends on the use.
+/// Checks the options of weft_texture_create against the model, and fills in defaults but for the impacts, whose
+/// default depends on the use.
 weft_texture_options complete_options(const Model& model, weft_texture_options options);
 
 /// Stays where it was made: it points into itself, and into the model.

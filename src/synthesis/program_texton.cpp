@@ -1,6 +1,6 @@
 /// Texton noise as layers: in the plane, on surfaces, mixed by a map.
-#include "base/image.h"
 #include "base/error.h"
+#include "base/image.h"
 #include "synthesis/grid.h"
 #include "synthesis/poisson.h"
 #include "synthesis/program.h"
@@ -35,7 +35,8 @@ void Program::add_textons(Core& core, const Texton& texton, const weft_texture_o
 {
     const Planes& alpha = texton.coefficients;
     const double shares = std::max(1.0, std::ceil(kernels.rate / most_mean)), share = kernels.rate / shares;
-    make_texton_mips(mips_, texton, kernels.images, kernels.scale, kernels.rate, kernels.levels, &core.memory, core.parallel);
+    make_texton_mips(mips_, texton, kernels.images, kernels.scale, kernels.rate, kernels.levels, &core.memory,
+                     core.parallel);
 
     splat_.size = sizeof splat_;
     splat_.taps = texton.taps;
@@ -67,8 +68,8 @@ void Program::add_texton(Core& core, const Texton& texton, const weft_texture_op
     add_textons(core, texton, options, {1, rate, 1.0 / std::sqrt(rate), 1, 2, most_levels, nobody});
 }
 
-/// Section 6: impacts in space count as far as half a support, r, away from the surface, by a tent whose integral is r / 2
-/// and whose square's is r / 3. Of a mixed model the first step.
+/// Section 6: impacts in space count as far as half a support, r, away from the surface, by a tent whose integral is r
+/// / 2 and whose square's is r / 3. Of a mixed model the first step.
 void Program::add_surface(Core& core, const Texton& texton, const weft_texture_options& options)
 {
     const Planes& alpha = texton.coefficients;
@@ -85,17 +86,21 @@ void Program::add_mix(Core& core, const Texton& texton, const weft_texture_optio
     add_map(core, options);
     const double rate = impacts_of(options, 30) / static_cast<double>(texton.coefficients.area());
     const std::uint32_t images = options.mix ? texton.images : 1;
-    add_textons(core, texton, options, {images, rate, 1.0 / std::sqrt(rate), 0, 2, most_levels, options.mix ? weft_ref{0, 0} : nobody});
+    add_textons(core, texton, options,
+                {images, rate, 1.0 / std::sqrt(rate), 0, 2, most_levels, options.mix ? weft_ref{0, 0} : nobody});
 }
 
 /// Without a map one of a single 0, so that a map of zeros gives the same pixels.
 void Program::add_map(Core& core, const weft_texture_options& options)
 {
     constexpr char function[] = "weft_texture_create", name[] = "options->mix";
-    map_ = options.mix ? read_image(*options.mix, &core.memory, core.parallel, function, name) : Planes(&core.memory, 1, 1, 1);
-    for (const float value : map_.values) require(value >= 0 && value <= 1, function, ": ", name, " has the value ", value, ", not 0..1");
+    map_ = options.mix ? read_image(*options.mix, &core.memory, core.parallel, function, name)
+                       : Planes(&core.memory, 1, 1, 1);
+    for (const float value : map_.values)
+        require(value >= 0 && value <= 1, function, ": ", name, " has the value ", value, ", not 0..1");
     make_picture_mips(map_mips_, map_, &core.memory, core.parallel);
-    tile_ = repeated_tile(map_mips_.mips, static_cast<std::uint32_t>(options.mix_scale), options.period_x, options.period_y);
+    tile_ = repeated_tile(map_mips_.mips, static_cast<std::uint32_t>(options.mix_scale), options.period_x,
+                          options.period_y);
     weft_layer& layer = add_layer(WEFT_LAYER_TILE, mean_);
     layer.planes = layer.channels = 1;
     layer.colour = colour_;

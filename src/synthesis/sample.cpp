@@ -14,7 +14,9 @@ constexpr char function[] = "weft_texture_sample";
 [[noreturn]] void refuse(std::size_t i, const weft_point& point)
 {
     const bool x = std::abs(point.x) < most_coordinate, y = std::abs(point.y) < most_coordinate;
-    if (!x || !y) throw Error(WEFT_ERROR_ARGUMENT, function, ": points[", i, "].", x ? "y is " : "x is ", x ? point.y : point.x, ", not within 2^52");
+    if (!x || !y)
+        throw Error(WEFT_ERROR_ARGUMENT, function, ": points[", i, "].", x ? "y is " : "x is ", x ? point.y : point.x,
+                    ", not within 2^52");
     throw Error(WEFT_ERROR_ARGUMENT, function, ": points[", i, "].dx or .dy is not finite");
 }
 

@@ -5,8 +5,10 @@
 
 namespace weft {
 
-Scratch_pool::Scratch_pool(std::pmr::memory_resource* memory, std::uint32_t batch, std::uint32_t channels, Frames frames)
-    : capacity_(std::clamp(batch ? batch : 1024U, 64U, 4096U)), channels_(channels), rooms_(std::min(available_threads(), 32U)),
+Scratch_pool::Scratch_pool(std::pmr::memory_resource* memory, std::uint32_t batch, std::uint32_t channels,
+                           Frames frames)
+    : capacity_(std::clamp(batch ? batch : 1024U, 64U, 4096U)), channels_(channels),
+      rooms_(std::min(available_threads(), 32U)),
       spots_(memory, std::size_t{capacity_} * rooms_, Array<weft_spot>::unset),
       results_(memory, std::size_t{capacity_} * rooms_ * channels, Array<float>::unset),
       frames_(memory, frames == with_frames ? std::size_t{capacity_} * rooms_ * 9 : 0, Array<float>::unset),
@@ -21,7 +23,10 @@ std::int32_t Scratch_pool::take() const noexcept
     return -1;
 }
 
-void Scratch_pool::give(std::int32_t room) const noexcept { __atomic_store_n(&taken_[static_cast<std::size_t>(room)], 0U, __ATOMIC_RELEASE); }
+void Scratch_pool::give(std::int32_t room) const noexcept
+{
+    __atomic_store_n(&taken_[static_cast<std::size_t>(room)], 0U, __ATOMIC_RELEASE);
+}
 
 Scratch Scratch_pool::operator[](std::int32_t room) const noexcept
 {

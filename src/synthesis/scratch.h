@@ -19,7 +19,8 @@ class Scratch_pool {
 public:
     enum Frames { without_frames, with_frames };
     Scratch_pool() = default;
-    Scratch_pool(std::pmr::memory_resource* memory, std::uint32_t batch, std::uint32_t channels, Frames frames = without_frames);
+    Scratch_pool(std::pmr::memory_resource* memory, std::uint32_t batch, std::uint32_t channels,
+                 Frames frames = without_frames);
 
     /// The number of a free room, or -1: then the caller makes do with a small one on its stack.
     std::int32_t take() const noexcept;
@@ -37,14 +38,20 @@ private:
 /// A room of the pool for `spots` or more, if one is free and they are many; else the stack.
 class Room {
 public:
-    Room(const Scratch_pool& pool, std::size_t spots) noexcept : pool_(pool), number_(spots > small_batch ? pool.take() : -1) {}
+    Room(const Scratch_pool& pool, std::size_t spots) noexcept
+        : pool_(pool), number_(spots > small_batch ? pool.take() : -1)
+    {
+    }
     ~Room()
     {
         if (number_ >= 0) pool_.give(number_);
     }
     Room(const Room&) = delete;
     Room& operator=(const Room&) = delete;
-    Scratch scratch() noexcept { return number_ >= 0 ? pool_[number_] : Scratch{spots_, results_, frames_, probes_, small_batch}; }
+    Scratch scratch() noexcept
+    {
+        return number_ >= 0 ? pool_[number_] : Scratch{spots_, results_, frames_, probes_, small_batch};
+    }
 
 private:
     static constexpr std::uint32_t small_batch = 64; ///< spots that fit the stack of any thread

@@ -34,7 +34,8 @@ struct Tiles {
             count(image);
         }
         stride = (width + 15) / 16 * 16;
-        slots = static_cast<std::uint32_t>(std::min<std::uint64_t>({threads, limits.concurrency ? limits.concurrency : UINT32_MAX, total}));
+        slots = static_cast<std::uint32_t>(
+            std::min<std::uint64_t>({threads, limits.concurrency ? limits.concurrency : UINT32_MAX, total}));
     }
     void count(const weft_image& image) noexcept
     {
@@ -67,13 +68,16 @@ void Texture::open(Opened& opened, const weft_program& program, const char* func
 {
     if (opened.open(device_, program, function)) return;
     if (!scalar_) scalar_.emplace(core_.memory, Registry::instance().scalar(), function);
-    if (!opened.open(*scalar_, program, function)) throw Error(WEFT_ERROR_INTERNAL, function, ": scalar refused the program");
+    if (!opened.open(*scalar_, program, function))
+        throw Error(WEFT_ERROR_INTERNAL, function, ": scalar refused the program");
 }
 
-void Texture::render(std::int64_t x, std::int64_t y, std::uint32_t level, const Progress& progress, const weft_image& image) const
+void Texture::render(std::int64_t x, std::int64_t y, std::uint32_t level, const Progress& progress,
+                     const weft_image& image) const
 {
     constexpr char function[] = "weft_texture_render";
-    require(image.channels == channels(), function, ": image->channels is ", image.channels, ", the model has ", channels());
+    require(image.channels == channels(), function, ": image->channels is ", image.channels, ", the model has ",
+            channels());
     check_window(x, y, level, image);
     const Tiles tiles(image, window_.device().limits(), core_.parallel.width());
     const std::size_t plane = std::size_t{tiles.height} * tiles.stride, buffer = plane * channels();
@@ -82,7 +86,8 @@ void Texture::render(std::int64_t x, std::int64_t y, std::uint32_t level, const 
     const auto draw = [&](std::uint64_t tile, float* data) {
         const auto left = static_cast<std::uint32_t>(tile % tiles.columns) * tiles.width;
         const auto top = static_cast<std::uint32_t>(tile / tiles.columns) * tiles.height;
-        const std::uint32_t width = std::min(tiles.width, image.width - left), height = std::min(tiles.height, image.height - top);
+        const std::uint32_t width = std::min(tiles.width, image.width - left),
+                            height = std::min(tiles.height, image.height - top);
         const weft_window window{sizeof(weft_window), width, height, tiles.stride, x + left, y + top, level, 0, data};
         window_.render(window, function);
         write_window(image, left, top, width, height, data, tiles.stride, height);
@@ -91,7 +96,8 @@ void Texture::render(std::int64_t x, std::int64_t y, std::uint32_t level, const 
     std::uint64_t end = 0;
     const auto work = [&](std::uint32_t slot) {
         try {
-            for (std::uint64_t tile; (tile = next.fetch_add(1, std::memory_order_relaxed)) < end;) draw(tile, buffers.data() + slot * buffer);
+            for (std::uint64_t tile; (tile = next.fetch_add(1, std::memory_order_relaxed)) < end;)
+                draw(tile, buffers.data() + slot * buffer);
         } catch (...) {
             next = tiles.total; // the others stop too
             throw;

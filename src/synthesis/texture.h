@@ -18,7 +18,8 @@ public:
     Texture(Core& core, Device& device, const Model& model, const weft_texture_options& options);
 
     /// `image` is checked; all else is checked here. Errors name weft_texture_render.
-    void render(std::int64_t x, std::int64_t y, std::uint32_t level, const Progress& progress, const weft_image& image) const;
+    void render(std::int64_t x, std::int64_t y, std::uint32_t level, const Progress& progress,
+                const weft_image& image) const;
 
     /// Allocates nothing. Errors name weft_texture_sample.
     void sample(std::size_t count, const weft_point* points, float* out) const;
@@ -33,7 +34,8 @@ private:
     struct Space;
     const Space& space(const char* function) const;
     template <class Point, class Place>
-    void sample_space(std::size_t count, const Point* points, float* out, const char* function, const Place& place) const;
+    void sample_space(std::size_t count, const Point* points, float* out, const char* function,
+                      const Place& place) const;
     void open(Opened& opened, const weft_program& program, const char* function) const;
 
     Core& core_;

@@ -63,7 +63,8 @@ void correlate(Core& core, const Torus& from, Torus& to, unsigned axis, const Ta
     const Sides sides = from.sides;
     const std::uint32_t n = sides.width;
     const auto filter = [&](std::size_t r) {
-        Array<float> twice(&core.memory, axis == 0 ? std::size_t{2} * n : 0, Array<float>::unset); // so that no tap is split
+        Array<float> twice(&core.memory, axis == 0 ? std::size_t{2} * n : 0,
+                           Array<float>::unset); // so that no tap is split
         if (axis == 0)
             for (std::uint32_t half = 0; half < 2; ++half) std::copy_n(from.row(r), n, &twice[std::size_t{half} * n]);
         const float* sources[sizeof taps.value / sizeof(float)];
@@ -106,7 +107,8 @@ double inner_product(Core& core, const Torus& a, const Torus& b)
     Array<double> sums(&core.memory, a.rows(), Array<double>::unset);
     const auto multiply = [&](std::size_t r) {
         double sum = 0;
-        for (std::uint32_t i = 0; i < a.sides.width; ++i) sum += static_cast<double>(a.row(r)[i]) * static_cast<double>(b.row(r)[i]);
+        for (std::uint32_t i = 0; i < a.sides.width; ++i)
+            sum += static_cast<double>(a.row(r)[i]) * static_cast<double>(b.row(r)[i]);
         sums[r] = sum;
     };
     for_each_row(a, core.parallel, std::ref(multiply));

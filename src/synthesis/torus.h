@@ -19,7 +19,10 @@ inline bool operator==(const Sides& a, const Sides& b) noexcept
 }
 
 struct Torus {
-    Torus(std::pmr::memory_resource* memory, const Sides& size) : sides(size), values(memory, size.count(), Array<float>::unset) {}
+    Torus(std::pmr::memory_resource* memory, const Sides& size)
+        : sides(size), values(memory, size.count(), Array<float>::unset)
+    {
+    }
     float* row(std::size_t r) noexcept { return values.data() + r * sides.width; }
     const float* row(std::size_t r) const noexcept { return values.data() + r * sides.width; }
     std::size_t rows() const noexcept { return std::size_t{sides.height} * sides.depth; }

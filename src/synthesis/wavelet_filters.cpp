@@ -6,11 +6,11 @@ namespace weft {
 namespace {
 
 constexpr int circle = 64; ///< coarse coefficients: the dual has faded to 1e-11 at half of them
-constexpr double mask[4] = {0.25, 0.75, 0.75, 0.25};                                ///< at offsets -2..1 of 2k
+constexpr double mask[4] = {0.25, 0.75, 0.75, 0.25};                                      ///< at offsets -2..1 of 2k
 constexpr double product[5] = {1.0 / 120, 26.0 / 120, 66.0 / 120, 26.0 / 120, 1.0 / 120}; ///< of splines at lags -2..2
 
-/// The inverse of the products of coarse splines, which are twice those of fine ones: x with sum_l 2 product(k - l) x(l) = [k =
-/// 0]. Jacobi's iteration: the middle is 66, the others sum up to 54.
+/// The inverse of the products of coarse splines, which are twice those of fine ones: x with sum_l 2 product(k - l)
+/// x(l) = [k = 0]. Jacobi's iteration: the middle is 66, the others sum up to 54.
 struct Inverse {
     Inverse() noexcept
     {

@@ -12,8 +12,8 @@ struct Wavelet_filters {
     Taps low_pass;   ///< what analysis and refinement do on the mean over all places
 };
 
-/// The mean of w_i(t) w_i+k(t), summed over i, at lags k = -2..2: w(t) the spline's three weights, t the middles of 2^log2
-/// equal parts of a cell, or, beyond `most_parts_log2`, all of it.
+/// The mean of w_i(t) w_i+k(t), summed over i, at lags k = -2..2: w(t) the spline's three weights, t the middles of
+/// 2^log2 equal parts of a cell, or, beyond `most_parts_log2`, all of it.
 constexpr std::uint32_t most_parts_log2 = 6;
 Taps spline_overlap(std::uint32_t log2) noexcept;
 
