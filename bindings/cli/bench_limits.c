@@ -8,9 +8,6 @@ enum { YARDSTICK_ROWS = 32 };
 static const uint64_t multiply_add_rounds = 4000000;
 static const size_t store_bytes = BENCH_STORE_BYTES;
 
-/* Makes sure that what is computed is needed by someone. */
-static volatile float kept;
-
 int bench_on_threads(uint32_t threads, void (*work)(void* argument, uint32_t i, uint32_t count), void* argument)
 {
     return run_threads(threads, work, argument) == 0 ? EXIT_FINE : failed("threads could not be started");
@@ -20,7 +17,8 @@ static void do_multiply_add(void* argument, uint32_t i, uint32_t count)
 {
     const limit_case* c = argument;
     (void)i, (void)count;
-    kept = c->owner->multiply_add.run(multiply_add_rounds);
+    volatile float kept = c->owner->multiply_add.run(multiply_add_rounds); /* what is computed is needed by someone */
+    (void)kept;
 }
 
 static void store_share(void* memory, uint32_t i, uint32_t count, int non_temporal)
