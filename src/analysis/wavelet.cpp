@@ -84,7 +84,7 @@ Model analyze_wavelet(Core& core, const weft_image& photo, const weft_wavelet_op
             model.wavelet.axes[p][o] = static_cast<float>(principal.axes[p][o]);
         set_flat_tone_curve(p, model.wavelet);
         const double deviation = std::sqrt(principal.variance[p]) / centring.scale;
-        if (principal.variance[p] > rank_tolerance * principal.variance[0] && deviation > 1e-30) {
+        if (principal.variance[p] > rank_tolerance * principal.variance[0] && deviation > 1e-36) {
             project_on_axis(core, planes, principal.axes, p, plane.plane(0));
             const double noise = choices.knots > 0 ? std::clamp(deviation, 1e-3, 1e3) : deviation;
             learn_axis(core, plane, shares, {deviation, noise}, centring.scale, p, model.wavelet);
