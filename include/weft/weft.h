@@ -427,6 +427,28 @@ WEFT_API weft_status weft_compare(weft_context *context, const weft_image *exemp
                                   const weft_compare_options *options, weft_progress progress, void *user,
                                   weft_comparison *comparison) WEFT_NOEXCEPT;
 
+/* Which method suits a photo. Measured on the most varied principal channel, the middle 512 x 512 pixels at most. Only
+ * methods that this libweft has are recommended. */
+typedef struct weft_description {
+  uint32_t    size;
+  weft_method method;
+  /* How far from Gaussian: root mean square difference between the correlations of the moduli of 4 x 4 oriented bands
+   * (octaves by directions: Portilla, Simoncelli 2000) and those of textures with the same spectrum and random phases,
+   * less what chance gives. 0: Gaussian; texton noise 0.02 to 0.04, grass 0.1, gravel 0.15, tiles 0.4. */
+  float       structure;
+  float       structure_toned; /* the same after the values were made normal by a tone curve */
+  float       histogram;  /* W1 distance of the values from normal ones, in standard deviations */
+  float       anisotropy; /* of the spectrum: second and fourth harmonic of power by direction; 0: isotropic, 1: one direction */
+  float       unevenness; /* standard deviation of log deviations of 8 x 8 blocks, beyond that of Gaussian textures; 0: stationary */
+  uint32_t    period_x, period_y; /* lag of the highest peak of the autocovariance along each axis, in pixels; 0: none */
+  char        reasons[256]; /* a sentence for people */
+} weft_description;
+#define WEFT_DESCRIPTION_INIT { sizeof(weft_description), 0, 0, 0, 0, 0, 0, 0, 0, "" }
+
+/* 16 x 16 pixels at least. */
+WEFT_API weft_status weft_describe(weft_context *context, const weft_image *photo, weft_progress progress, void *user,
+                                   weft_description *description) WEFT_NOEXCEPT;
+
 #ifdef __cplusplus
 }
 #endif

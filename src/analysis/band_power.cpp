@@ -7,7 +7,8 @@
 namespace weft {
 namespace {
 
-/// How a frequency of the DFT, which stands for half a step to both sides, falls into octaves: first, first + 1, first + 2.
+/// How a frequency of the DFT, which stands for half a step to both sides, falls into octaves: first, first + 1, first
+/// + 2.
 struct Shares {
     std::uint32_t first;
     double share[3];
@@ -43,7 +44,8 @@ void add(Octaves& octaves, const Shares& shares, double power) noexcept
 }
 
 /// One block's share: each frequency belongs to the axis along which it is greater.
-Octaves block_octaves(const Spectra& spectra, std::uint32_t b, const Array<Shares>& along_x, const Array<Shares>& along_y)
+Octaves block_octaves(const Spectra& spectra, std::uint32_t b, const Array<Shares>& along_x,
+                      const Array<Shares>& along_y)
 {
     Octaves octaves;
     double columns[fft_lanes] = {};
@@ -55,15 +57,18 @@ Octaves block_octaves(const Spectra& spectra, std::uint32_t b, const Array<Share
         for (std::uint32_t i = 0; i < fft_lanes; ++i)
             power[i] = weights[i] * (values[2 * i] * values[2 * i] + values[2 * i + 1] * values[2 * i + 1]);
         const std::uint32_t k = std::min(y, spectra.height - y);
-        const std::uint64_t of_axis = (std::uint64_t{k} * spectra.width + spectra.height - 1) / spectra.height; // columns with |fx| < |fy|
-        const auto of_row = static_cast<std::uint32_t>(std::min<std::uint64_t>(fft_lanes, of_axis - std::min<std::uint64_t>(of_axis, b * fft_lanes)));
+        const std::uint64_t of_axis =
+            (std::uint64_t{k} * spectra.width + spectra.height - 1) / spectra.height; // columns with |fx| < |fy|
+        const auto of_row = static_cast<std::uint32_t>(
+            std::min<std::uint64_t>(fft_lanes, of_axis - std::min<std::uint64_t>(of_axis, b * fft_lanes)));
         double row = 0;
         for (std::uint32_t i = 0; i < of_row; ++i) row += static_cast<double>(power[i]);
         if (of_row > 0) add(octaves, along_y[k], row);
         for (std::uint32_t i = of_row; i < fft_lanes; ++i) columns[i] += static_cast<double>(power[i]);
     }
     for (std::uint32_t i = 0; i < fft_lanes; ++i)
-        if (b * fft_lanes + i > 0 && b * fft_lanes + i < spectra.columns()) add(octaves, along_x[b * fft_lanes + i], columns[i]);
+        if (b * fft_lanes + i > 0 && b * fft_lanes + i < spectra.columns())
+            add(octaves, along_x[b * fft_lanes + i], columns[i]);
     return octaves;
 }
 
@@ -82,7 +87,8 @@ Octaves octaves_of(Core& core, const Planes& plane, std::uint32_t count)
     Spectra spectra(&core.memory, plane.width, plane.height, 1);
     PlaneTransform(core, plane.width, plane.height).forward(plane.plane(0), spectra, 0);
     keep_periodic_component(core, plane, spectra);
-    const Array<Shares> along_x = shares_along(&core.memory, plane.width, count), along_y = shares_along(&core.memory, plane.height, count);
+    const Array<Shares> along_x = shares_along(&core.memory, plane.width, count),
+                        along_y = shares_along(&core.memory, plane.height, count);
     Array<Octaves> blocks(&core.memory, spectra.blocks());
     for_each_run(core.parallel, spectra.blocks(), [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t b = first; b < last; ++b) blocks[b] = block_octaves(spectra, b, along_x, along_y);

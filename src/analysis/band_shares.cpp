@@ -14,8 +14,9 @@ double products(double f) noexcept { return (66 + 52 * std::cos(2 * pi * f) + 2 
 
 double sixth_power(double x) noexcept { return x * x * x * (x * x * x); }
 
-/// What is left of white noise R in R - R down-up (Cook and DeRose 2005): along each axis, a frequency keeps `same` of its own amplitude
-/// in R down-up, an orthogonal projection on coarser splines, and `power` of power is there, its own and its alias's.
+/// What is left of white noise R in R - R down-up (Cook and DeRose 2005): along each axis, a frequency keeps `same` of
+/// its own amplitude in R down-up, an orthogonal projection on coarser splines, and `power` of power is there, its own
+/// and its alias's.
 struct Lattice_axis {
     explicit Lattice_axis(double f) noexcept
     {
@@ -33,13 +34,15 @@ struct Band_axis {
     {
         const double spline = 0.75 + 0.25 * std::cos(2 * pi * f); // 1/8, 3/4, 1/8
         gain = spline * spline;
-        for (std::uint32_t i = 0; i < band; ++i) gain *= sixth_power(std::cos(pi * std::ldexp(f, static_cast<int>(i)))); // refinements
+        for (std::uint32_t i = 0; i < band; ++i)
+            gain *= sixth_power(std::cos(pi * std::ldexp(f, static_cast<int>(i)))); // refinements
     }
     Lattice_axis lattice;
     double gain;
 };
 
-/// Power of the band with max(fx, fy) between half of `end` and `end`, or all below `end`, up to a factor of the band's.
+/// Power of the band with max(fx, fy) between half of `end` and `end`, or all below `end`, up to a factor of the
+/// band's.
 double power_below(double end, std::uint32_t band, bool all) noexcept
 {
     double gain[points], same[points], power[points], sum = 0;
@@ -51,7 +54,8 @@ double power_below(double end, std::uint32_t band, bool all) noexcept
     }
     for (std::uint32_t i = 0; i < points; ++i)
         for (std::uint32_t j = 0; j < points; ++j)
-            if (all || std::max(i, j) >= points / 2) sum += gain[i] * gain[j] * (1 - 2 * same[i] * same[j] + power[i] * power[j]);
+            if (all || std::max(i, j) >= points / 2)
+                sum += gain[i] * gain[j] * (1 - 2 * same[i] * same[j] + power[i] * power[j]);
     return sum * end * end;
 }
 
@@ -103,7 +107,8 @@ void solve_bands(const Band_shares& shares, const Octaves& octaves, double (&pow
     double wanted = 0, sum = 0;
     for (std::uint32_t a = 0; a < shares.count; ++a) wanted += octaves.power[a];
     if (!(wanted > 0)) return;
-    for (std::uint32_t step = 0; step < shares.count; ++step) { // the most negative band is given up until there is none
+    for (std::uint32_t step = 0; step < shares.count;
+         ++step) { // the most negative band is given up until there is none
         solve_free(shares, octaves, fixed, power);
         const std::uint32_t least = static_cast<std::uint32_t>(std::min_element(power, power + shares.count) - power);
         if (power[least] >= 0) break;

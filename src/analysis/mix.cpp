@@ -10,15 +10,17 @@ namespace {
 
 constexpr const char* function = "weft_model_mix";
 constexpr std::uint32_t iterations = 50; // from so near, more gain nothing
-constexpr float least_modulus = 1e-30f; // what is below is 0: its phase means nothing
+constexpr float least_modulus = 1e-30f;  // what is below is 0: its phase means nothing
 
 void check(const Model& a, const Model& b, std::uint32_t steps)
 {
-    require(a.method == WEFT_METHOD_TEXTON && b.method == WEFT_METHOD_TEXTON, function, ": the methods of the models are ", a.method,
-            " and ", b.method, ", not both WEFT_METHOD_TEXTON");
+    require(a.method == WEFT_METHOD_TEXTON && b.method == WEFT_METHOD_TEXTON, function,
+            ": the methods of the models are ", a.method, " and ", b.method, ", not both WEFT_METHOD_TEXTON");
     require(a.channels == b.channels, function, ": b has ", b.channels, " channels, a has ", a.channels);
-    require(a.texton.taps == b.texton.taps, function, ": the interpolation of b is ", b.texton.taps, ", that of a is ", a.texton.taps);
-    require(a.texton.images == 1 && b.texton.images == 1, function, ": ", a.texton.images > 1 ? 'a' : 'b', " is a mixed model itself");
+    require(a.texton.taps == b.texton.taps, function, ": the interpolation of b is ", b.texton.taps, ", that of a is ",
+            a.texton.taps);
+    require(a.texton.images == 1 && b.texton.images == 1, function, ": ", a.texton.images > 1 ? 'a' : 'b',
+            " is a mixed model itself");
     require(steps >= 2 && steps <= most_images, function, ": steps is ", steps, ", not 2..", most_images);
 }
 
@@ -42,17 +44,19 @@ Planes padded(Core& core, const Planes& planes, std::uint32_t side, double scale
     return result;
 }
 
-/// Both textons' t^ = sqrt(b^) alpha^ on one grid, the first one's turned frequency by frequency so that the path between them is the
-/// shortest: t_u^ <- t_u^ (t_u^* t_v^) / |t_u^* t_v|.
+/// Both textons' t^ = sqrt(b^) alpha^ on one grid, the first one's turned frequency by frequency so that the path
+/// between them is the shortest: t_u^ <- t_u^ (t_u^* t_v^) / |t_u^* t_v|.
 class Path {
 public:
     Path(Core& core, const Model& a, const Model& b, std::uint32_t support, double scale, const SplineSamples& samples)
-        : core_(core), side_(fast_length(2 * support + 2 * samples.count)), from_(&core.memory, side_, side_, a.channels),
-          to_(&core.memory, side_, side_, a.channels), b_x_(spline_spectrum(&core.memory, samples, side_, from_.blocks() * fft_lanes)),
+        : core_(core), side_(fast_length(2 * support + 2 * samples.count)),
+          from_(&core.memory, side_, side_, a.channels), to_(&core.memory, side_, side_, a.channels),
+          b_x_(spline_spectrum(&core.memory, samples, side_, from_.blocks() * fft_lanes)),
           b_y_(spline_spectrum(&core.memory, samples, side_, side_))
     {
         const PlaneTransform transform(core, side_, side_);
-        const Planes u = padded(core, a.texton.coefficients, side_, scale), v = padded(core, b.texton.coefficients, side_, scale);
+        const Planes u = padded(core, a.texton.coefficients, side_, scale),
+                     v = padded(core, b.texton.coefficients, side_, scale);
         for (std::uint32_t c = 0; c < a.channels; ++c) {
             transform.forward(u.plane(c), from_, c);
             transform.forward(v.plane(c), to_, c);
@@ -73,9 +77,11 @@ public:
         for_each_run(core_.parallel, from_.blocks(), [&](std::uint32_t first, std::uint32_t last) {
             for (std::uint32_t b = first; b < last; ++b) {
                 Complex* block = target.spectra.block(b, 0);
-                for (std::size_t i = 0; i < size; ++i) block[i] = begin * from_.block(b, 0)[i] + end * to_.block(b, 0)[i];
+                for (std::size_t i = 0; i < size; ++i)
+                    block[i] = begin * from_.block(b, 0)[i] + end * to_.block(b, 0)[i];
                 parts[b] = block_covariance(target.spectra, b, block, 1 / (static_cast<double>(side_) * side_));
-                for (std::size_t i = 0; i < size; ++i) block[i] *= std::sqrt(b_x_[b * fft_lanes + i % fft_lanes] * b_y_[i / fft_lanes % side_]);
+                for (std::size_t i = 0; i < size; ++i)
+                    block[i] *= std::sqrt(b_x_[b * fft_lanes + i % fft_lanes] * b_y_[i / fft_lanes % side_]);
             }
         });
         target.covariance = sum_of(parts, from_.count);
@@ -92,14 +98,16 @@ private:
                 Complex product = 0;
                 for (std::uint32_t c = 0; c < from_.count; ++c) {
                     Complex &u = from_.block(block, c)[at], &v = to_.block(block, c)[at];
-                    product += Complex(u.real() * v.real() + u.imag() * v.imag(), u.real() * v.imag() - u.imag() * v.real());
+                    product +=
+                        Complex(u.real() * v.real() + u.imag() * v.imag(), u.real() * v.imag() - u.imag() * v.real());
                     v *= root;
                 }
                 const float modulus = std::abs(product);
                 const Complex turn = modulus > least_modulus ? product / modulus : Complex(1);
                 for (std::uint32_t c = 0; c < from_.count; ++c) {
                     Complex& u = from_.block(block, c)[at];
-                    u = root * Complex(u.real() * turn.real() - u.imag() * turn.imag(), u.real() * turn.imag() + u.imag() * turn.real());
+                    u = root * Complex(u.real() * turn.real() - u.imag() * turn.imag(),
+                                       u.real() * turn.imag() + u.imag() * turn.real());
                 }
             }
     }
@@ -120,13 +128,17 @@ public:
     }
 
     /// Steps `first`, first + direction, ..., `count` of them.
-    void walk(const Planes& end, std::uint32_t first, std::int32_t direction, std::uint32_t count, const Progress& progress)
+    void walk(const Planes& end, std::uint32_t first, std::int32_t direction, std::uint32_t count,
+              const Progress& progress)
     {
         const std::uint32_t support = texton_.coefficients.width;
         Planes coefficients = padded(core_, end, support, scale_);
         for (std::uint32_t i = 0; i < count; ++i) {
-            const auto step = static_cast<std::uint32_t>(static_cast<std::int32_t>(first) + direction * static_cast<std::int32_t>(i));
-            if (i > 0) improve(coefficients, step, progress.part((i - 1.0) / (count - 1), static_cast<double>(i) / (count - 1)));
+            const auto step =
+                static_cast<std::uint32_t>(static_cast<std::int32_t>(first) + direction * static_cast<std::int32_t>(i));
+            if (i > 0)
+                improve(coefficients, step,
+                        progress.part((i - 1.0) / (count - 1), static_cast<double>(i) / (count - 1)));
             float* to = texton_.coefficients.plane(std::size_t{step} * end.count);
             for (std::size_t k = 0; k < coefficients.values.size(); ++k)
                 to[k] = static_cast<float>(static_cast<double>(coefficients.values[k]) / scale_);

@@ -29,7 +29,8 @@ Curve curve_of(const Wavelet& wavelet, std::uint32_t axis) noexcept
                          static_cast<double>(wavelet.knot_slope[k][axis])};
     if (curve.count > 0) return curve;
     double power = 0;
-    for (std::uint32_t b = 0; b < wavelet.bands; ++b) power += std::pow(static_cast<double>(wavelet.weight[b][axis]), 2);
+    for (std::uint32_t b = 0; b < wavelet.bands; ++b)
+        power += std::pow(static_cast<double>(wavelet.weight[b][axis]), 2);
     const double reach = power > 0 ? straight_reach * std::sqrt(power) : 1;
     curve.count = 2;
     curve.knot[0] = {-reach, -reach, 1};
@@ -78,17 +79,22 @@ public:
     explicit Line(float t) noexcept : t_(static_cast<double>(t)) {}
     double t() const noexcept { return t_; }
     double between(double a, double b) const noexcept { return a + t_ * (b - a); }
-    float operator()(float a, float b) const noexcept { return static_cast<float>(between(static_cast<double>(a), static_cast<double>(b))); }
+    float operator()(float a, float b) const noexcept
+    {
+        return static_cast<float>(between(static_cast<double>(a), static_cast<double>(b)));
+    }
 
 private:
     double t_;
 };
 
 /// Axis p of the result from p of a and q of b.
-void morph_axis(const Wavelet& a, const Wavelet& b, std::uint32_t p, std::uint32_t q, bool negated, const Line& line, Wavelet& result)
+void morph_axis(const Wavelet& a, const Wavelet& b, std::uint32_t p, std::uint32_t q, bool negated, const Line& line,
+                Wavelet& result)
 {
     for (std::uint32_t band = 0; band < result.bands; ++band)
-        result.weight[band][p] = line(band < a.bands ? a.weight[band][p] : 0.0f, band < b.bands ? b.weight[band][q] : 0.0f);
+        result.weight[band][p] =
+            line(band < a.bands ? a.weight[band][p] : 0.0f, band < b.bands ? b.weight[band][q] : 0.0f);
     if (result.knots == 0) return;
     Curve from = curve_of(a, p), to = curve_of(b, q);
     if (negated) negate(to);
@@ -97,7 +103,8 @@ void morph_axis(const Wavelet& a, const Wavelet& b, std::uint32_t p, std::uint32
     for (std::uint32_t k = 0; k < result.knots; ++k) {
         result.knot_x[k][p] = static_cast<float>(line.between(from.knot[k].x, to.knot[k].x));
         result.knot_y[k][p] = static_cast<float>(line.between(from.knot[k].y, to.knot[k].y));
-        result.knot_slope[k][p] = std::max(0.0f, static_cast<float>(line.between(from.knot[k].slope, to.knot[k].slope)));
+        result.knot_slope[k][p] =
+            std::max(0.0f, static_cast<float>(line.between(from.knot[k].slope, to.knot[k].slope)));
     }
 }
 
@@ -105,8 +112,8 @@ void morph_axis(const Wavelet& a, const Wavelet& b, std::uint32_t p, std::uint32
 
 Model morph_wavelets(const Model& a, const Model& b, float t)
 {
-    require(a.method == WEFT_METHOD_WAVELET && b.method == WEFT_METHOD_WAVELET, function, ": the methods of the models are ", a.method,
-            " and ", b.method, ", not both WEFT_METHOD_WAVELET");
+    require(a.method == WEFT_METHOD_WAVELET && b.method == WEFT_METHOD_WAVELET, function,
+            ": the methods of the models are ", a.method, " and ", b.method, ", not both WEFT_METHOD_WAVELET");
     require(a.channels == b.channels, function, ": b has ", b.channels, " channels, a has ", a.channels);
     require(t >= 0 && t <= 1, function, ": t is ", t, ", not 0..1");
     Model model;

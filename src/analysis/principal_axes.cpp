@@ -18,7 +18,8 @@ Matrix covariance_of(Core& core, const Planes& planes)
                 for (std::uint32_t d = c; d < planes.count; ++d) {
                     const float *a = planes.row(c, y), *b = planes.row(d, y);
                     double sum[4] = {};
-                    for (std::uint32_t x = 0; x < planes.width; ++x) sum[x % 4] += static_cast<double>(a[x]) * static_cast<double>(b[x]);
+                    for (std::uint32_t x = 0; x < planes.width; ++x)
+                        sum[x % 4] += static_cast<double>(a[x]) * static_cast<double>(b[x]);
                     sums[part][c][d] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
                 }
     });
@@ -36,7 +37,8 @@ Principal_axes principal_axes_of(Core& core, const Planes& planes)
     const std::uint32_t size = planes.count;
     std::uint32_t order[most_channels];
     for (std::uint32_t p = 0; p < size; ++p) order[p] = p;
-    std::stable_sort(order, order + size, [&](std::uint32_t a, std::uint32_t b) { return eigen.values[a] > eigen.values[b]; });
+    std::stable_sort(order, order + size,
+                     [&](std::uint32_t a, std::uint32_t b) { return eigen.values[a] > eigen.values[b]; });
     Principal_axes result;
     result.axes.size = size;
     for (std::uint32_t p = 0; p < size; ++p) {

@@ -48,7 +48,8 @@ Matrix reordered(const Matrix& to, const Axis_match& match) noexcept
     return result;
 }
 
-/// Signs for an order: every cosine positive, but for the smallest if the frames' orientations differ. Returns their sum.
+/// Signs for an order: every cosine positive, but for the smallest if the frames' orientations differ. Returns their
+/// sum.
 double choose_signs(const Matrix& from, const Matrix& to, const Matrix& cosines, Axis_match& match) noexcept
 {
     std::uint32_t weakest = 0;
@@ -72,7 +73,8 @@ void order_greedily(const Matrix& cosines, Axis_match& match) noexcept
         std::uint32_t row = 0, column = 0;
         for (std::uint32_t p = 0; p < cosines.size; ++p)
             for (std::uint32_t q = 0; q < cosines.size; ++q)
-                if (!row_taken[p] && !column_taken[q] && std::abs(cosines[p][q]) > best) best = std::abs(cosines[p][q]), row = p, column = q;
+                if (!row_taken[p] && !column_taken[q] && std::abs(cosines[p][q]) > best)
+                    best = std::abs(cosines[p][q]), row = p, column = q;
         row_taken[row] = column_taken[column] = true;
         match.order[row] = column;
     }
@@ -88,8 +90,8 @@ void add_product(Matrix& result, double factor, const double* u, const double* v
         for (std::uint32_t j = 0; j < result.size; ++j) result[i][j] += factor * u[i] * v[j];
 }
 
-/// rotation^t. Where its symmetric half has the eigenvalue cos(theta), its other half K turns by a right angle and scales by
-/// sin(theta), so that rotation^t is cos(t theta) + sin(t theta) / sin(theta) K there.
+/// rotation^t. Where its symmetric half has the eigenvalue cos(theta), its other half K turns by a right angle and
+/// scales by sin(theta), so that rotation^t is cos(t theta) + sin(t theta) / sin(theta) K there.
 Matrix power_of_rotation(const Matrix& rotation, double t) noexcept
 {
     const std::uint32_t n = rotation.size;

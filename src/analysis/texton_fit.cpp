@@ -74,7 +74,8 @@ void fit_coefficients(Core& core, Projection& projection, const Fit& fit, const 
 {
     Planes spare(&core.memory, coefficients.width, coefficients.height, coefficients.count);
     if (fit.accelerated)
-        project_fast(core, projection, fit.iterations, fit.ease ? 10 : 0, target, samples, coefficients, spare, progress);
+        project_fast(core, projection, fit.iterations, fit.ease ? 10 : 0, target, samples, coefficients, spare,
+                     progress);
     else
         project_plainly(projection, fit.iterations, coefficients, spare, progress);
 }

@@ -1,4 +1,5 @@
-/// What turns white noise into a texton, for targets of any origin: projections, colour correction, what is left to gain.
+/// What turns white noise into a texton, for targets of any origin: projections, colour correction, what is left to
+/// gain.
 #pragma once
 #include "analysis/projection.h"
 #include "analysis/target.h"

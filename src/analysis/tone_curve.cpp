@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t most_samples = 1U << 16;
 constexpr std::uint32_t most_entries = 1024; ///< of the table of scores
-constexpr std::uint32_t hints = 2048; ///< equal intervals of values, each of which knows where its entries begin
+constexpr std::uint32_t hints = 2048;        ///< equal intervals of values, each of which knows where its entries begin
 constexpr double farthest_score = 4.5;
 constexpr double farthest_knot = 3.5; ///< beyond are 5 of 10000 pixels
 constexpr std::uint32_t grid = 256;   ///< intervals between the first and the last knot, at whose ends knots may be
@@ -39,7 +39,8 @@ struct Knots {
         std::uint32_t k = 0;
         while (k + 2 < count && v >= x[k + 1]) ++k;
         const double width = x[k + 1] - x[k], t = (v - x[k]) / width, s = 1 - t;
-        return s * s * ((1 + 2 * t) * y[k] + t * width * slope[k]) + t * t * ((1 + 2 * s) * y[k + 1] - s * width * slope[k + 1]);
+        return s * s * ((1 + 2 * t) * y[k] + t * width * slope[k]) +
+               t * t * ((1 + 2 * s) * y[k + 1] - s * width * slope[k + 1]);
     }
     void insert(std::uint32_t at_place, double at_x, double at_y) noexcept
     {
@@ -50,7 +51,8 @@ struct Knots {
     }
 };
 
-/// The place where one more knot helps most. Errors count by the root of their density, but less steeply: tails are seen.
+/// The place where one more knot helps most. Errors count by the root of their density, but less steeply: tails are
+/// seen.
 std::uint32_t worst_place(const Knots& knots, const double* x, const double* y) noexcept
 {
     double worst = -1;
@@ -61,7 +63,8 @@ std::uint32_t worst_place(const Knots& knots, const double* x, const double* y) 
             continue;
         }
         const double error = std::abs(knots.at(x[i]) - y[i]) * std::exp(-x[i] * x[i] / 8);
-        const std::uint32_t gap = std::min(i - knots.place[k - 1], knots.place[k] - i); // among equals, the middle of the widest gap
+        const std::uint32_t gap =
+            std::min(i - knots.place[k - 1], knots.place[k] - i); // among equals, the middle of the widest gap
         const double worth = error + 1e-12 * gap;
         if (worth > worst) worst = worth, place = i;
     }
@@ -81,7 +84,8 @@ Normal_scores::Normal_scores(Core& core, const float* values, std::size_t count)
     scores_ = Array<float>(&core.memory, most_entries);
     for (std::uint32_t i = 0; i < most_entries; ++i) {
         const double score = farthest_score * (2.0 * i / (most_entries - 1) - 1);
-        const float value = sorted[std::min(n - 1, static_cast<std::size_t>(normal_distribution(score) * static_cast<double>(n)))];
+        const float value =
+            sorted[std::min(n - 1, static_cast<std::size_t>(normal_distribution(score) * static_cast<double>(n)))];
         if (size_ > 0 && value <= values_[size_ - 1]) continue;
         const auto equal = std::equal_range(sorted.begin(), sorted.end(), value);
         const double rank = 0.5 * static_cast<double>((equal.first - sorted.begin()) + (equal.second - sorted.begin()));
@@ -104,19 +108,21 @@ std::uint32_t Normal_scores::hint_of(float value) const noexcept
 void Normal_scores::apply(Core& core, float* values, std::size_t count, float factor) const
 {
     constexpr std::size_t step = 16384;
-    for_each_run(core.parallel, static_cast<std::uint32_t>((count + step - 1) / step), [&](std::uint32_t first, std::uint32_t last) {
-        for (std::size_t i = first * step; i < std::min(count, last * step); ++i) {
-            const float value = values[i];
-            const std::uint32_t hint = hint_of(value);
-            std::size_t low = hints_[hint];
-            for (std::size_t length = hints_[hint + 1] - low + 1; length > 1; length -= length / 2) // the last entry not above, or the first
-                low += values_[low + length / 2] <= value ? length / 2 : 0;
-            const std::size_t high = std::min(low + 1, size_ - 1);
-            const float width = values_[high] - values_[low];
-            const float t = width > 0 ? std::clamp((value - values_[low]) / width, 0.0f, 1.0f) : 0.0f;
-            values[i] = factor * (scores_[low] + t * (scores_[high] - scores_[low]));
-        }
-    });
+    for_each_run(core.parallel, static_cast<std::uint32_t>((count + step - 1) / step),
+                 [&](std::uint32_t first, std::uint32_t last) {
+                     for (std::size_t i = first * step; i < std::min(count, last * step); ++i) {
+                         const float value = values[i];
+                         const std::uint32_t hint = hint_of(value);
+                         std::size_t low = hints_[hint];
+                         for (std::size_t length = hints_[hint + 1] - low + 1; length > 1;
+                              length -= length / 2) // the last entry not above, or the first
+                             low += values_[low + length / 2] <= value ? length / 2 : 0;
+                         const std::size_t high = std::min(low + 1, size_ - 1);
+                         const float width = values_[high] - values_[low];
+                         const float t = width > 0 ? std::clamp((value - values_[low]) / width, 0.0f, 1.0f) : 0.0f;
+                         values[i] = factor * (scores_[low] + t * (scores_[high] - scores_[low]));
+                     }
+                 });
 }
 
 float Normal_scores::value_at(float score) const noexcept
@@ -143,14 +149,16 @@ void monotone_slopes(const double* x, const double* y, std::uint32_t count, doub
             slope[k] = slope[k + 1] = 0;
             continue;
         }
-        const double begin = slope[k] / secant[k], end = slope[k + 1] / secant[k], length = std::sqrt(begin * begin + end * end);
+        const double begin = slope[k] / secant[k], end = slope[k + 1] / secant[k],
+                     length = std::sqrt(begin * begin + end * end);
         if (length <= 3) continue;
         slope[k] *= 3 / length;
         slope[k + 1] *= 3 / length;
     }
 }
 
-void fit_tone_curve(const Normal_scores& scores, double unit, double deviation, double wanted, std::uint32_t axis, Wavelet& wavelet) noexcept
+void fit_tone_curve(const Normal_scores& scores, double unit, double deviation, double wanted, std::uint32_t axis,
+                    Wavelet& wavelet) noexcept
 {
     const double low = std::max(-farthest_knot, std::min(static_cast<double>(scores.least_score()), -1.0));
     const double high = std::min(farthest_knot, std::max(static_cast<double>(scores.greatest_score()), 1.0));

@@ -27,9 +27,10 @@ private:
     Array<std::uint32_t> hints_; ///< the last entry below each of equal intervals of values
 };
 
-/// Sets the knots of `axis`: the curve that makes values / unit of normal numbers of standard deviation `deviation`, of mean
-/// 0 and standard deviation `wanted` exactly. wavelet.knots are set where the curve needs them most.
-void fit_tone_curve(const Normal_scores& scores, double unit, double deviation, double wanted, std::uint32_t axis, Wavelet& wavelet) noexcept;
+/// Sets the knots of `axis`: the curve that makes values / unit of normal numbers of standard deviation `deviation`, of
+/// mean 0 and standard deviation `wanted` exactly. wavelet.knots are set where the curve needs them most.
+void fit_tone_curve(const Normal_scores& scores, double unit, double deviation, double wanted, std::uint32_t axis,
+                    Wavelet& wavelet) noexcept;
 
 /// A tone curve that is 0 everywhere.
 void set_flat_tone_curve(std::uint32_t axis, Wavelet& wavelet) noexcept;

@@ -22,24 +22,27 @@ struct Choices {
 Choices choose(const weft_image& photo, const weft_wavelet_options& options)
 {
     for (const std::uint32_t side : {photo.width, photo.height})
-        require(side >= least_side && side <= most_photo_side, function, ": photo is ", photo.width, " x ", photo.height, " pixels, not ",
-                least_side, "..", most_photo_side, " a side");
+        require(side >= least_side && side <= most_photo_side, function, ": photo is ", photo.width, " x ",
+                photo.height, " pixels, not ", least_side, "..", most_photo_side, " a side");
     require(options.bands <= most_bands, function, ": options->bands is ", options.bands, ", not 0..", most_bands);
     require(options.tone_knots == 0 || (options.tone_knots >= 2 && options.tone_knots <= most_knots), function,
             ": options->tone_knots is ", options.tone_knots, ", neither 0 nor 2..", most_knots);
     require(options.gaussian <= 1, function, ": options->gaussian is ", options.gaussian, ", neither 0 nor 1");
-    return {options.bands ? options.bands : octaves_in(photo.width, photo.height),
-            options.gaussian ? 0 : options.tone_knots ? options.tone_knots : default_knots};
+    return {options.bands ? options.bands : octaves_in(photo.width, photo.height), options.gaussian ? 0
+                                                                                   : options.tone_knots
+                                                                                       ? options.tone_knots
+                                                                                       : default_knots};
 }
 
-/// The axis's deviation, and that of the noise before its tone curve: as much, but within bounds in which no coefficient of
-/// the curve leaves those of a model.
+/// The axis's deviation, and that of the noise before its tone curve: as much, but within bounds in which no
+/// coefficient of the curve leaves those of a model.
 struct Deviations {
     double texture, noise;
 };
 
 /// `plane`, the photo along the axis, is given up; its unit is the photo's divided by `scale`.
-void learn_axis(Core& core, Planes& plane, const Band_shares& shares, Deviations deviations, double scale, std::uint32_t axis, Wavelet& wavelet)
+void learn_axis(Core& core, Planes& plane, const Band_shares& shares, Deviations deviations, double scale,
+                std::uint32_t axis, Wavelet& wavelet)
 {
     if (wavelet.knots > 0) {
         const Normal_scores scores(core, plane.plane(0), plane.area());
@@ -56,7 +59,8 @@ void learn_axis(Core& core, Planes& plane, const Band_shares& shares, Deviations
 
 } // namespace
 
-Model analyze_wavelet(Core& core, const weft_image& photo, const weft_wavelet_options& options, const Progress& progress)
+Model analyze_wavelet(Core& core, const weft_image& photo, const weft_wavelet_options& options,
+                      const Progress& progress)
 {
     const Choices choices = choose(photo, options);
     progress.at(0);
@@ -76,10 +80,11 @@ Model analyze_wavelet(Core& core, const weft_image& photo, const weft_wavelet_op
     Planes plane(&core.memory, photo.width, photo.height, 1);
     for (std::uint32_t p = 0; p < photo.channels; ++p) {
         model.mean[p] = static_cast<float>(centring.mean[p]);
-        for (std::uint32_t o = 0; o < photo.channels; ++o) model.wavelet.axes[p][o] = static_cast<float>(principal.axes[p][o]);
+        for (std::uint32_t o = 0; o < photo.channels; ++o)
+            model.wavelet.axes[p][o] = static_cast<float>(principal.axes[p][o]);
         set_flat_tone_curve(p, model.wavelet);
         const double deviation = std::sqrt(principal.variance[p]) / centring.scale;
-        if (principal.variance[p] > rank_tolerance * principal.variance[0] && deviation > 1e-30) {
+        if (principal.variance[p] > rank_tolerance * principal.variance[0] && deviation > 1e-36) {
             project_on_axis(core, planes, principal.axes, p, plane.plane(0));
             const double noise = choices.knots > 0 ? std::clamp(deviation, 1e-3, 1e3) : deviation;
             learn_axis(core, plane, shares, {deviation, noise}, centring.scale, p, model.wavelet);

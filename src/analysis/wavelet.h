@@ -7,6 +7,7 @@
 namespace weft {
 
 /// `options` has been read and is complete in size; zeros still stand for defaults. Errors name weft_analyze_wavelet.
-Model analyze_wavelet(Core& core, const weft_image& photo, const weft_wavelet_options& options, const Progress& progress);
+Model analyze_wavelet(Core& core, const weft_image& photo, const weft_wavelet_options& options,
+                      const Progress& progress);
 
 } // namespace weft
