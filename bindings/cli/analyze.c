@@ -1,6 +1,7 @@
 /* weft analyze: photo -> model. */
 #include "clock.h"
 #include "command.h"
+#include "describe.h"
 #include "file.h"
 #include "json.h"
 #include "open.h"
@@ -17,15 +18,16 @@ static const char notes[] =
     "profile. Several photos are further maps of one surface, in register and of one size: their channels are\n"
     "analysed together. Method texton is texton noise, for textures without structure; wavelet is noise in\n"
     "octaves with a tone curve, for such textures without direction: its models are tiny, can be edited as JSON\n"
-    "and fill space; picture repeats the photo as it is. --bands, --knots and --gaussian are of wavelet, --support\n"
-    "to --seed of texton.";
+    "and fill space; picture repeats the photo as it is; auto takes the one that `weft describe` names. --bands,\n"
+    "--knots and --gaussian are of wavelet, --support to --seed of texton.";
 
-enum { CHOSEN_TEXTON, CHOSEN_WAVELET, CHOSEN_PICTURE }; /* in the order of the option's words */
+enum { CHOSEN_TEXTON, CHOSEN_WAVELET, CHOSEN_PICTURE, CHOSEN_AUTO }; /* in the order of the option's words */
 
 typedef struct analyze_options {
     const char* output;
     uint32_t method, interpolation, projection; /* indices of the words below */
     int gaussian;
+    double from; /* what share of the work has been done before the analysis */
     weft_texton_options texton;
     weft_wavelet_options wavelet;
 } analyze_options;
@@ -36,7 +38,7 @@ static int parse(analyze_options* o, arguments* common, int count, char** words)
     const weft_wavelet_options wavelet = WEFT_WAVELET_OPTIONS_INIT;
     const option table[] = {
         {"-o", OPTION_TEXT, &o->output, "MODEL", "where the model goes", 0, 0},
-        {"--method", OPTION_CHOICE, &o->method, "texton|wavelet|picture", "default texton", 0, 0},
+        {"--method", OPTION_CHOICE, &o->method, "texton|wavelet|picture|auto", "default texton", 0, 0},
         {"--support", OPTION_COUNT, &o->texton.support, "N", "edge of the texton in pixels; default 64", 1, 8192},
         {"--iterations", OPTION_COUNT, &o->texton.iterations, "N", "of the projections", 1, 1000000},
         {"--interpolation", OPTION_CHOICE, &o->interpolation, "0|1|3|5", "order of the B-spline; default 1", 0, 0},
@@ -66,9 +68,24 @@ static int parse(analyze_options* o, arguments* common, int count, char** words)
     return check_stdout(common->json, o->output) ? EXIT_USAGE : -1;
 }
 
+/* Makes --method auto the method that suits the photo. */
+static int choose(weft_context* context, const weft_image* photo, analyze_options* o)
+{
+    weft_description description;
+    progress_span first = {0, 0.5};
+    if (o->method != CHOSEN_AUTO) return EXIT_FINE;
+    int code = describe_photo(context, photo, &first, &description);
+    if (code != EXIT_FINE) return code;
+    o->method = description.method == WEFT_METHOD_TEXTON    ? CHOSEN_TEXTON
+                : description.method == WEFT_METHOD_WAVELET ? CHOSEN_WAVELET
+                                                            : CHOSEN_PICTURE;
+    o->from = first.to;
+    return EXIT_FINE;
+}
+
 static int analyze(weft_context* context, const weft_image* photo, const analyze_options* o, weft_model** model)
 {
-    progress_span whole = {0, 1};
+    progress_span whole = {o->from, 1};
     weft_status status = WEFT_OK;
     if (o->method == CHOSEN_TEXTON)
         status = weft_analyze_texton(context, photo, &o->texton, progress_step, &whole, model);
@@ -120,6 +137,7 @@ int command_analyze(int count, char** words)
     code = open_context(&common, &context);
     if (code == EXIT_FINE) code = open_photos(common.operand, common.operands, &photo);
     double begin = wall_seconds();
+    if (code == EXIT_FINE) code = choose(context, &photo, &o);
     if (code == EXIT_FINE) code = analyze(context, &photo, &o, &model);
     double seconds = wall_seconds() - begin;
     if (code == EXIT_FINE) code = save_model(model, o.output);

@@ -19,6 +19,7 @@ static const command commands[] = {
     {"info", command_info, "say what a model holds"},
     {"export", command_export, "write a model's parts as PNG, text and JSON"},
     {"import", command_import, "make a model of a .texton or .json file"},
+    {"describe", command_describe, "say what a photo is like and which method suits it"},
     {"mix", command_mix, "make a model between two models"},
     {"compare", command_compare, "measure how close an output is to its exemplar"},
     {"devices", command_devices, "list the devices"},

@@ -55,14 +55,14 @@ expect 2 "$weft" nonsense
 expect 0 "$weft" --help
 expect 0 "$weft" --version
 says '^weft [0-9]*\.[0-9]*\.[0-9]*, libweft '
-for command in analyze render info export import mix compare devices bench; do
+for command in analyze describe render info export import mix compare devices bench; do
     expect 0 "$weft" $command --help
     says 'exit codes: 0 fine, 1 the work failed, 2 wrong usage, 3 cancelled'
     expect 2 "$weft" $command --no-such-option
     expect 2 "$weft" $command --threads 0
     expect 2 "$weft" $command --threads
 done
-for command in analyze render info export import mix compare bench; do expect 2 "$weft" $command; done
+for command in analyze describe render info export import mix compare bench; do expect 2 "$weft" $command; done
 
 # Devices
 expect 0 "$weft" devices
@@ -172,6 +172,16 @@ for device in $("$weft" devices | awk '$2 == "exact" { print $1 }'); do
     expect 0 "$weft" render wavelet.weft -o device.png --size 90x70 --at -33,12 --device "$device"
     same wavelet.png device.png "wavelet noise on device $device"
 done
+
+# What a photo is like
+expect 0 "$weft" describe "$photo"
+says '^structure '
+expect 0 "$weft" describe "$photo" --json
+valid_json out
+method=$(sed -n 's/^  "method": "\(.*\)",$/\1/p' out)
+expect 0 "$weft" analyze "$photo" -o auto.weft --method auto --support 16 --iterations 2
+says "^auto.weft: $method"
+expect 1 "$weft" describe knots.weft
 
 # import_json CODE WORDS JSON: what a file of that JSON gives, and what is said about it.
 import_json() {
