@@ -1,7 +1,6 @@
 /* Every allocation fails once, in turn, in every function: the status, untouched outputs, nothing left. And the limit.
  */
-#include "allocators.h"
-#include "support.h"
+#include "failing.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,8 +10,6 @@ static void *model_bytes;
 static size_t model_size;
 static char *text;
 static size_t text_size;
-static char elsewhere;
-#define UNTOUCHED ((void *)&elsewhere)
 
 static int begin(void **state)
 {
@@ -40,29 +37,6 @@ static int end(void **state)
     return 0;
 }
 
-/* A call over a context whose allocator is the ledger's; everything it makes is freed by it. Allocations of the set-up
- * before the call under test are not failed: `arm` begins the count. The limit of a context holds for the set-up as
- * well. */
-typedef weft_status (*Call)(weft_context *context, Ledger *ledger, uint64_t fail_at);
-
-static void arm(Ledger *ledger, uint64_t fail_at) { ledger->fail_at = fail_at ? ledger->calls + fail_at : 0; }
-
-static void disarm(Ledger *ledger) { ledger->fail_at = 0; }
-
-/* Calls that make a model from what `begin` prepared. */
-#define CALL_THAT_MAKES_A_MODEL(name, expression)                                                                      \
-    static weft_status call_##name(weft_context *context, Ledger *ledger, uint64_t fail_at)                            \
-    {                                                                                                                  \
-        weft_model *model = UNTOUCHED;                                                                                 \
-        arm(ledger, fail_at);                                                                                          \
-        const weft_status status = (expression);                                                                       \
-        disarm(ledger);                                                                                                \
-        if (status == WEFT_OK)                                                                                         \
-            weft_model_free(model);                                                                                    \
-        else                                                                                                           \
-            assert_ptr_equal(model, UNTOUCHED);                                                                        \
-        return status;                                                                                                 \
-    }
 static const weft_texton_options few = {sizeof few, 8, 2, 0, 0, 0, 0};
 CALL_THAT_MAKES_A_MODEL(analyze_texton, weft_analyze_texton(context, &photo, &few, NULL, NULL, &model))
 CALL_THAT_MAKES_A_MODEL(analyze_picture, weft_analyze_picture(context, &photo, &model))
@@ -87,20 +61,6 @@ static weft_status use_model(weft_context *context, Ledger *ledger, uint64_t fai
     disarm(ledger);
     free_image(&image);
     free(bytes);
-    weft_model_free(model);
-    return status;
-}
-
-static weft_status create(weft_context *context, weft_model *model, Ledger *ledger, uint64_t fail_at)
-{
-    weft_texture *texture = UNTOUCHED;
-    arm(ledger, fail_at);
-    const weft_status status = weft_texture_create(context, model, NULL, &texture);
-    disarm(ledger);
-    if (status == WEFT_OK)
-        weft_texture_free(texture);
-    else
-        assert_ptr_equal(texture, UNTOUCHED);
     weft_model_free(model);
     return status;
 }
@@ -183,75 +143,6 @@ static weft_status call_compare(weft_context *context, Ledger *ledger, uint64_t 
     return status;
 }
 
-static weft_status with_context(Call call, uint32_t threads, uint64_t limit, Ledger *ledger, uint64_t fail_at)
-{
-    const weft_allocator allocator = ledger_allocator(ledger);
-    weft_context_options options = WEFT_CONTEXT_OPTIONS_INIT;
-    weft_context *context = NULL;
-    options.allocator = &allocator;
-    options.threads = threads;
-    options.device = "scalar";
-    options.memory_limit = limit;
-    weft_status status = weft_context_create(&options, &context);
-    if (limit == 0) assert_ok(status); /* else the limit may be too low for a context itself */
-    if (status == WEFT_OK) status = call(context, ledger, fail_at);
-    weft_context_free(context);
-    return status;
-}
-
-/* Fails allocation n of the call for n = 1, 2, ... until the call succeeds, once it alone and once with all after it.
- * Where a call makes thousands of allocations, n grows in steps after the first hundred. */
-static void fail_each(Call call)
-{
-    for (uint32_t threads = 1; threads <= 2; ++threads)
-        for (int all_after = 0; all_after < 2; ++all_after) {
-            weft_status status = WEFT_ERROR_MEMORY;
-            for (uint64_t n = 1; status != WEFT_OK; n += 1 + (n > 100 ? n / scaled(16, 4) : 0)) {
-                Ledger ledger;
-                ledger_open(&ledger, 0);
-                ledger.fail_from_there = all_after;
-                status = with_context(call, threads, 0, &ledger, n);
-                if (status != WEFT_OK) {
-                    assert_int_equal(status, WEFT_ERROR_MEMORY);
-                    assert_true(strlen(weft_error_message()) > 10);
-                }
-                ledger_close(&ledger);
-                assert_true(n < 1000000);
-            }
-        }
-}
-
-/* With a limit of the call's peak it succeeds; with any lower one it fails, or does with less; the limit is always
- * kept. */
-static void limit_each(Call call)
-{
-    Ledger ledger;
-    ledger_open(&ledger, 0);
-    assert_ok(with_context(call, 1, 0, &ledger, 0));
-    const uint64_t peak = ledger.peak;
-    ledger_close(&ledger);
-    uint32_t refused = 0;
-    for (uint32_t eighths = 8; eighths > 0; --eighths) {
-        const uint64_t limit = peak * eighths / 8;
-        if (limit == 0) continue;
-        ledger_open(&ledger, 0);
-        const weft_status status = with_context(call, 1, limit, &ledger, 0);
-        if (eighths == 8) assert_int_equal(status, WEFT_OK);
-        if (status != WEFT_OK) assert_int_equal(status, WEFT_ERROR_MEMORY);
-        assert_true(ledger.peak <= limit);
-        refused += status != WEFT_OK;
-        ledger_close(&ledger);
-    }
-    if (peak >= 8) assert_true(refused > 0);
-}
-
-#define EACH(name)                                                                                                     \
-    static void test_##name(void **state)                                                                              \
-    {                                                                                                                  \
-        (void)state;                                                                                                   \
-        fail_each(call_##name);                                                                                        \
-        limit_each(call_##name);                                                                                       \
-    }
 EACH(analyze_texton)
 EACH(analyze_picture)
 EACH(load)

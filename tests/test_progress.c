@@ -69,6 +69,15 @@ static weft_status call_analyze(weft_context *context, Report *report)
     return status;
 }
 
+static weft_status call_analyze_wavelet(weft_context *context, Report *report)
+{
+    weft_model *made = UNTOUCHED;
+    const weft_status status = weft_analyze_wavelet(context, &photo, NULL, on_progress, report, &made);
+    if (status == WEFT_OK) weft_model_free(made);
+    else assert_ptr_equal(made, UNTOUCHED);
+    return status;
+}
+
 static weft_status call_render(weft_context *context, Report *report)
 {
     weft_texture *texture = new_texture(context, model, 5, 0, 0);
@@ -137,6 +146,12 @@ static void analysis(void **state)
     observe(call_analyze, 12);
 }
 
+static void wavelet_analysis(void **state)
+{
+    (void)state;
+    observe(call_analyze_wavelet, 4);
+}
+
 static void rendering(void **state)
 {
     (void)state;
@@ -170,6 +185,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(analysis),
+        cmocka_unit_test(wavelet_analysis),
         cmocka_unit_test(rendering),
         cmocka_unit_test(comparison),
         cmocka_unit_test(again_after_cancelling),

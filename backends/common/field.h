@@ -224,6 +224,83 @@ static inline weft_weights weft_spline(float t, weft_u32 taps)
     return one;
 }
 
+/* SPLAT: surfaces ---------------------------------------------------------------------------------------------------
+ *
+ * Cells have three axes: K = absorb(absorb(absorb(weft_key(seed, stream, WEFT_TAG_IMPACTS), cell x), cell y), cell z).
+ * Impact i is made of z = weft_draw(K, i + 1) as in the plane; its z axis of weft_low(weft_third(z)). Impacts whose
+ * pixel is further than weft_surface_reach from the spot's on any axis are dropped. An impact adds, where
+ * weft_surface_fade is above 0: A = weft_madd(fade * sign, v, A), and f = A + offset. Two taps: v is the weft_lerp of
+ * two rows, each the weft_lerp of two texels; other numbers as in the plane, the columns by fma, then v_i by fma: v =
+ * wx_0 * v_0, then v = fma(wx_i, v_i, v). */
+
+static inline weft_u64 weft_third(weft_u64 z) { return weft_mix(z + WEFT_GOLDEN); }
+
+/* Twice the furthest that an axis of a texton reaches from its middle: `size` texels at level 0; `first` and `count`
+ * are of the level. */
+static inline weft_i64 weft_surface_extent(weft_u32 size, weft_i32 first, weft_u32 count, weft_u32 taps, weft_u32 level)
+{
+    const weft_i64 texel = (weft_i64)1 << level, twice = 2 * (weft_i64)first;
+    const weft_i64 low = (weft_i64)size - (twice + 1 - (weft_i64)taps) * texel;
+    const weft_i64 high = (twice + 2 * (weft_i64)count - 1 + (weft_i64)taps) * texel - (weft_i64)size;
+    return low > high ? low : high;
+}
+
+/* Half the side, in pixels, of the cube that holds all impacts that reach a spot however its frame is turned.
+ * `thickness` is the larger of the sizes at level 0. */
+static inline weft_i64 weft_surface_reach(weft_i64 extent_x, weft_i64 extent_y, weft_u32 thickness)
+{
+    const weft_i64 square = extent_x * extent_x + extent_y * extent_y + (weft_i64)thickness * (weft_i64)thickness;
+    weft_i64 low = 0, high = (weft_i64)1 << 30;
+    while (low < high) {
+        const weft_i64 middle = (low + high) >> 1;
+        if (4 * middle * middle >= square)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return low + 2;
+}
+
+/* An axis of the difference between a spot and an impact, both with fractions of 2^24, in pixels. */
+static inline float weft_surface_difference(weft_i64 pixels, weft_i32 spot_fraction, weft_i32 impact_fraction)
+{
+    return (float)(pixels * 16777216 + spot_fraction - impact_fraction) * WEFT_FRACTION_UNIT;
+}
+
+/* Along a vector of the frame. */
+static inline float weft_surface_along(float x, float y, float z, float frame_x, float frame_y, float frame_z)
+{
+    return (x * frame_x + y * frame_y) + z * frame_z;
+}
+
+/* `unit` is 2.0f / (float)thickness; `normal` is weft_surface_along the frame's third vector. */
+static inline float weft_surface_fade(float normal, float unit)
+{
+    return 1.0f - (normal < 0.0f ? -normal : normal) * unit;
+}
+
+/* 2^-level. */
+static inline float weft_level_unit(weft_u32 level) { return 1.0f / (float)((weft_u32)1 << level); }
+
+/* Where the middle of an axis of `size` texels lies in the texels of a level: exact. */
+static inline float weft_surface_middle(weft_u32 size, weft_u32 level)
+{
+    return 0.5f * (float)size * weft_level_unit(level) - 0.5f;
+}
+
+/* First texel of an axis and the place after it; `along` is weft_surface_along the frame's first or second vector,
+ * `unit` weft_level_unit. Only where -2^20 < along * unit + middle < 2^20; further out an impact adds nothing. */
+static inline float weft_surface_place(float along, float unit, float middle) { return along * unit + middle; }
+
+static inline weft_taps weft_surface_taps(float place, weft_u32 taps)
+{
+    const weft_i32 whole = weft_floor(taps == 1 ? place + 0.5f : place);
+    weft_taps at;
+    at.first = (weft_i64)whole - (taps > 2 ? (weft_i64)(taps / 2 - 1) : 0);
+    at.t = place - (float)whole;
+    return at;
+}
+
 /* Levels ----------------------------------------------------------------------------------------------------------- */
 
 /* A level between two of a mip chain: the chain's level `whole`, and if t > 0 the next one by lerp. */
@@ -245,6 +322,60 @@ static inline weft_between weft_level(float level)
 static inline weft_between weft_tile_level(float level, float added, weft_u32 levels)
 {
     return weft_level(weft_clamp(level + added, 0.0f, (float)(levels - 1)));
+}
+
+/* BANDS ------------------------------------------------------------------------------------------------------------
+ *
+ * c_b = weft_band_add(weight_b, lattice_b, refine(c_b+1)), from the coarsest band, where refine is +0, to band l of
+ * level l + t; the weight of band l is weft_band_weight, and t is for no other. A band without lattice is c_b =
+ * refine(c_b+1). f is the quadratic B-spline of c_l at weft_band_place; +0 from level `count` on.
+ *
+ * Band b has cells of 2^b pixels: pixel x is in cell j = x >> b, whose coefficients are j, j + 1, j + 2 of the plane.
+ * Coefficient j is at weft_band_index in the lattice. refine goes axis by axis, (z,) y, x. No sum is ever -0. */
+
+static inline weft_i64 weft_band_cell(weft_i64 pixel, weft_u32 band) { return pixel >> band; }
+
+/* Of a lattice of `size` on this axis, for a cell below 2^62 in size. */
+static inline weft_u32 weft_band_index(weft_i64 cell, weft_u32 shift, weft_u32 size)
+{
+    const weft_i64 shifted = cell + (weft_i64)shift;
+    return (weft_u32)(shifted - weft_divide_down(shifted, size) * (weft_i64)size);
+}
+
+/* Coefficients 2m and 2m + 1 of the finer band, from m and m + 1 of the coarser. */
+static inline float weft_refine_even(float a, float b) { return 0.75f * a + 0.25f * b; }
+static inline float weft_refine_odd(float a, float b) { return 0.25f * a + 0.75f * b; }
+
+static inline float weft_band_add(float weight, float lattice, float refined) { return weight * lattice + refined; }
+
+static inline float weft_band_weight(float weight, float t) { return weight * (1.0f - t); }
+
+/* Place in its cell of band l, 0..1: exactly 1/2 at the centres of a window's pixels. */
+static inline float weft_band_place(weft_i64 pixel, weft_u32 fraction, weft_u32 band)
+{
+    const weft_i64 rest = pixel & (((weft_i64)1 << band) - 1);
+    return (float)(weft_i32)((rest * 16777216 + (weft_i64)fraction) >> band) * WEFT_FRACTION_UNIT;
+}
+
+/* Quadratic B-spline: 1/8, 3/4, 1/8 at t = 1/2. Axes in the order x, y, z: the three of a row, then rows, then planes.
+ */
+typedef struct weft_quadratic {
+    float w0, w1, w2;
+} weft_quadratic;
+
+static inline weft_quadratic weft_quadratic_weights(float t)
+{
+    const float s = 1.0f - t;
+    weft_quadratic w;
+    w.w0 = 0.5f * (s * s);
+    w.w2 = 0.5f * (t * t);
+    w.w1 = 1.0f - (w.w0 + w.w2);
+    return w;
+}
+
+static inline float weft_quadratic_sum(float w0, float w1, float w2, float a, float b, float c)
+{
+    return w0 * a + (w1 * b + w2 * c);
 }
 
 /* TILE ------------------------------------------------------------------------------------------------------------- */

@@ -42,12 +42,13 @@ private:
 /// What a layer needs while a window is rendered.
 struct Work {
     explicit Work(const weft_host* host, const Layer& layer)
-        : found(host, layer.splat.taps), tile(host), f(host), mask(host)
+        : found(host, layer.splat.taps), tile(host), bands(host), f(host), mask(host)
     {
     }
 
     Impact_list found;
     Tile_block tile;
+    Bands_block bands;
     Buffer<float> f;          ///< of a strip
     Buffer<float> mask;       ///< product of masks of a strip
     const float* m = nullptr; ///< M of the strip; null: 1
@@ -133,6 +134,8 @@ bool Painter::begin(const Block& block)
         Work& work = work_.data()[i];
         if (layer.source->kind == WEFT_LAYER_TILE) {
             if (!work.tile.begin(*texture_.rows, layer.tile, block)) return false;
+        } else if (layer.source->kind == WEFT_LAYER_BANDS) {
+            if (!work.bands.begin(*texture_.rows, layer.bands, block)) return false;
         } else if (splat_has(layer, block.level)) {
             work.found.count = 0;
             if (!texture_.rows->find_impacts(layer.splat, block, work.found)) return false;
@@ -151,6 +154,8 @@ void Painter::evaluate(uint32_t index, uint32_t first, uint32_t count)
     const Strip strip = {work.f.data(), block_.width, first, count, stride_, scratch_.data()};
     if (source.kind == WEFT_LAYER_TILE)
         work.tile.strip(strip);
+    else if (source.kind == WEFT_LAYER_BANDS)
+        work.bands.strip(strip);
     else if (splat_has(layer, block_.level))
         texture_.rows->splat_strip(layer.splat, block_.level, work.found, strip);
     else

@@ -7,17 +7,21 @@
 
 namespace weft {
 
+constexpr uint32_t most_bands = 24, most_spots = 4;
+
 /// One level of textons, laid out for a table's kernels. Texels within `data` but outside width x height are zero.
 struct Texels {
     const float* data;           ///< texel (0, 0) of the first plane of the first image
     int64_t row, plane, image;   ///< floats from one to the next
     int32_t width, height, x, y; ///< (x, y): index of the first texel
+    int64_t reach;               ///< weft_surface_reach, for surfaces
 };
 
 /// A SPLAT layer, ready to be evaluated.
 struct Splat {
     uint64_t key; ///< of its cells
-    uint32_t period[2];
+    uint32_t period[3];
+    uint32_t size[2]; ///< of the textons at level 0
     uint32_t cell_log2, count_limit, signs, taps, planes, levels;
     uint32_t usual_counts; ///< how many thresholds more than one cell in 256 reaches
     const uint32_t* counts;
@@ -26,6 +30,32 @@ struct Splat {
     uint32_t (*choose)(const void* choice, int64_t x, int64_t y); ///< image of an impact at a pixel; null: image 0
     const void* choice;
 };
+
+/// A lattice of a BANDS layer. Rows and slices are `row` and `slice` floats apart.
+struct Lattice {
+    const float* data; ///< null: none
+    int64_t row, slice;
+    uint32_t size[3], shift[3]; ///< shifts are below the sizes
+    float weight;
+    bool powers; ///< all sizes are powers of two
+};
+
+/// A BANDS layer, ready to be evaluated.
+struct Bands {
+    uint32_t count, planes;  ///< no band from `count` on has a lattice
+    const Lattice* lattices; ///< band b of plane p is lattices[b * planes + p]
+};
+
+/// `pairs` pairs of coefficients of a row of a band: those of the next coarser band's rows `above` and `below`,
+/// refined, the first or (odd) second row between them, and a row of the lattice, from `first` on, again and again.
+struct Refine {
+    const float *above, *below; ///< null: there is no coarser band
+    uint32_t odd, pairs;
+    const float* lattice; ///< null: none
+    uint32_t first, size;
+    float weight;
+};
+constexpr uint32_t overrun = 32;
 
 /// An impact, seen from pixel (0, 0) of a block: the texel under it is `column`, `row`, counted from the level's first.
 /// That texel is data[origin]; the weights are for two taps.
@@ -93,7 +123,8 @@ struct Rows {
     uint32_t apron; ///< zeros that kernels want right of every row of texels and left of the first; 0: none, no copy
     uint32_t apron_rows;   ///< ... above and below every image
     uint32_t strip_height; ///< rows of a strip, liked best
-    uint32_t interleaved;  ///< 1: points want texels of four planes side by side
+    uint32_t interleaved;  ///< 1: points want texels of four planes side by side, and lattices are padded
+    uint32_t spots;        ///< bands_spots takes so many at once, at most most_spots
 
     /// Bytes of scratch that splat_strip needs for that many impacts.
     size_t (*scratch)(uint32_t impacts, uint32_t width, uint32_t taps);
@@ -102,6 +133,17 @@ struct Rows {
     void (*splat_strip)(const Splat& splat, uint32_t level, const Impacts& found, const Strip& strip);
     /// f of all planes at a spot, at a whole level below splat.levels.
     void (*splat_point)(const Splat& splat, uint32_t level, const weft_spot& spot, float* f);
+
+    /// The same on a surface: `frame` is tangent, bitangent and normal.
+    void (*splat_surface)(const Splat& splat, uint32_t level, const weft_spot& spot, const float* frame, float* f);
+
+    /// These may read and write up to `overrun` floats more, but no more than a multiple of 16 of a row of pixels.
+    void (*refine)(const Refine& refine, float* row);
+    void (*spline_row)(const float* coefficients, size_t width, float* row);
+    void (*spline_rows)(const float* upper, const float* middle, const float* lower, size_t width, float* row);
+    /// f of all planes at up to `spots` spots in the plane (2 axes) or in space (3), those of spot i at f + i * pitch.
+    void (*bands_spots)(const Bands& bands, uint32_t axes, const weft_spot* spots, uint32_t count, float* f,
+                        size_t pitch);
 
     void (*expand)(const float* texels, const Columns& columns, float* row);
     /// row = t (b - a) + a, also where t is 0.

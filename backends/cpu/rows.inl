@@ -13,10 +13,17 @@ namespace {
 
 #include "impacts.inl"
 #if WEFT_LANES == 1
+#include "bands_plain.inl"
+#include "bands_rows.inl"
 #include "splat_plain.inl"
+#include "surface_plain.inl"
 #else
 #include "splat_block.inl"
+
+#include "bands_gather.inl"
+#include "bands_rows.inl"
 #include "splat_gather.inl"
+#include "surface_gather.inl"
 #endif
 
 void expand(const float* texels, const Columns& columns, float* row)
@@ -105,10 +112,29 @@ void mix(const Mixture& m, float* out)
 
 extern const Rows rows;
 #if WEFT_LANES == 1
-const Rows rows = {0, 0, 24, 0, scratch, find_impacts, splat_strip, splat_point, expand, lerp, tone, multiply, mix};
+const Rows rows = {0,
+                   0,
+                   24,
+                   0,
+                   1,
+                   scratch,
+                   find_impacts,
+                   splat_strip,
+                   splat_point,
+                   splat_surface,
+                   refine,
+                   spline_row,
+                   spline_rows,
+                   bands_spots,
+                   expand,
+                   lerp,
+                   tone,
+                   multiply,
+                   mix};
 #else
-const Rows rows = {lanes - 1,   band_apron, strip_height, 1,    scratch,  find_impacts, splat_strip,
-                   splat_point, expand,     lerp,         tone, multiply, mix};
+const Rows rows = {lanes - 1,   band_apron,  strip_height,  1,        spots,      scratch,     find_impacts,
+                   splat_strip, splat_point, splat_surface, refine,   spline_row, spline_rows, bands_spots,
+                   expand,      lerp,        tone,          multiply, mix};
 #endif
 
 } // namespace WEFT_ISA

@@ -12,8 +12,17 @@ weft_status refuse(const weft_host* host, weft_status status, const char* senten
     return status;
 }
 
+/// In space there are no pictures: only impacts on surfaces and only bands in solids.
+bool supports_in_space(const weft_layer& layer, weft_use use)
+{
+    if (use == WEFT_USE_SOLID) return layer.kind == WEFT_LAYER_BANDS;
+    return layer.kind == WEFT_LAYER_SPLAT && layer.splat->choice.layer < 0 && layer.mask.layer < 0;
+}
+
 bool supports(const weft_layer& layer, const weft_program& program)
 {
+    if (program.use == WEFT_USE_SURFACE || program.use == WEFT_USE_SOLID) return supports_in_space(layer, program.use);
+    if (layer.kind == WEFT_LAYER_BANDS) return true;
     if (layer.kind == WEFT_LAYER_SPLAT) {
         const weft_ref choice = layer.splat->choice;
         return choice.layer < 0 || program.layers[choice.layer]->kind == WEFT_LAYER_TILE;
@@ -25,7 +34,6 @@ bool supports(const weft_layer& layer, const weft_program& program)
 bool supports(const weft_program& program)
 {
     if (!weft_understands_program(&program)) return false;
-    if (program.use != WEFT_USE_WINDOW && program.use != WEFT_USE_POINTS) return false;
     if (program.layer_count > most_layers) return false;
     for (uint32_t i = 0; i < program.layer_count; ++i)
         if (program.layers[i]->planes > most_planes || !supports(*program.layers[i], program)) return false;
@@ -67,6 +75,15 @@ void copy_texels(const weft_mips& textons, const weft_mip& mip, const Layout& la
         }
 }
 
+int64_t surface_reach(const weft_splat& splat, uint32_t level)
+{
+    const weft_mips& textons = *splat.textons;
+    const weft_mip& mip = textons.level[level];
+    return weft_surface_reach(weft_surface_extent(textons.width, mip.x, mip.width, splat.taps, level),
+                              weft_surface_extent(textons.height, mip.y, mip.height, splat.taps, level),
+                              textons.width > textons.height ? textons.width : textons.height);
+}
+
 bool copy_textons(Layer& layer, const Layout& layout)
 {
     const weft_mips& textons = *layer.source->splat->textons;
@@ -86,7 +103,8 @@ bool copy_textons(Layer& layer, const Layout& layout)
                            int32_t(mip.width),
                            int32_t(mip.height),
                            mip.x,
-                           mip.y};
+                           mip.y,
+                           surface_reach(*layer.source->splat, l)};
         data += layout.size(mip, textons.images);
     }
     return true;
@@ -99,8 +117,15 @@ void refer_to_textons(Layer& layer)
     for (uint32_t l = 0; l < textons.levels; ++l) {
         const weft_mip& mip = textons.level[l];
         const int64_t plane = int64_t(mip.width) * mip.height;
-        layer.texels[l] = {mip.data,           mip.width,           plane, plane * textons.planes,
-                           int32_t(mip.width), int32_t(mip.height), mip.x, mip.y};
+        layer.texels[l] = {mip.data,
+                           mip.width,
+                           plane,
+                           plane * textons.planes,
+                           int32_t(mip.width),
+                           int32_t(mip.height),
+                           mip.x,
+                           mip.y,
+                           surface_reach(*layer.source->splat, l)};
     }
 }
 
@@ -134,7 +159,8 @@ bool open_splat(weft_backend_texture& texture, Layer& layer)
     const weft_program& program = *texture.program;
     const weft_splat& splat = *layer.source->splat;
     layer.splat = {weft_key(program.seed, layer.source->stream, WEFT_TAG_IMPACTS),
-                   {program.period[0], program.period[1]},
+                   {program.period[0], program.period[1], program.period[2]},
+                   {splat.textons->width, splat.textons->height},
                    splat.cell_log2,
                    splat.count_limit,
                    splat.signs,
@@ -171,6 +197,9 @@ bool open_layer(weft_backend_texture& texture, uint32_t index)
     layer.masked = mask.layer >= 0;
     if (layer.masked) texture.layers[mask.layer].referred = true;
     if (layer.source->kind == WEFT_LAYER_SPLAT) return open_splat(texture, layer);
+    if (layer.source->kind == WEFT_LAYER_BANDS)
+        return open_bands(*layer.source, program.use, texture.rows->interleaved != 0, layer.lattices, layer.data,
+                          layer.bands);
     layer.tile = {layer.source->tile, layer.source->planes, {program.period[0], program.period[1]}};
     return true;
 }
@@ -198,7 +227,8 @@ weft_status texture_open(weft_backend_device* device, const weft_program* progra
     if (!supports(*program))
         return refuse(
             host, WEFT_ERROR_UNSUPPORTED,
-            "this device evaluates windows and points of SPLAT layers and of plain periodic TILE layers only");
+            "this device evaluates SPLAT, BANDS and plain periodic TILE layers in the plane, SPLAT layers without "
+            "choice and mask on surfaces, BANDS layers in space");
     void* memory = host->allocate(host->self, sizeof(weft_backend_texture), alignof(weft_backend_texture));
     if (!memory) return WEFT_ERROR_MEMORY;
     weft_backend_texture* made = new (memory) weft_backend_texture{};
@@ -208,6 +238,7 @@ weft_status texture_open(weft_backend_device* device, const weft_program* progra
     for (uint32_t i = 0; i < program->layer_count; ++i) {
         made->layers[i].source = program->layers[i];
         made->layers[i].data.use(host);
+        made->layers[i].lattices.use(host);
         if (open_layer(*made, i)) continue;
         texture_close(made);
         return WEFT_ERROR_MEMORY;

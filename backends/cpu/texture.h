@@ -1,6 +1,7 @@
 /// What "scalar" and "simd" are made of but for their tables: a device is a table of kernels, a texture is a program
 /// prepared for it.
 #pragma once
+#include "bands.h"
 #include "memory.h"
 #include "rows.h"
 #include "tile.h"
@@ -23,14 +24,16 @@ struct Choice {
     uint32_t plane, images;
 };
 
-/// A layer, prepared. `splat` or `tile` is filled, after its kind.
+/// A layer, prepared. `splat`, `bands` or `tile` is filled, after its kind.
 struct Layer {
     const weft_layer* source;
     Splat splat;
+    Bands bands;
     Tile tile;
     Choice choice;
     Texels texels[most_levels];
-    Buffer<float> data; ///< what `texels` points into, if the kernels want copies
+    Buffer<Lattice> lattices;
+    Buffer<float> data; ///< what `texels` or `lattices` point into, if the kernels want copies
     float impacts_per_pixel;
     bool masked, referred; ///< has a mask; is referred to by a later layer
 };

@@ -1,6 +1,7 @@
 /* weft analyze: photo -> model. */
 #include "clock.h"
 #include "command.h"
+#include "describe.h"
 #include "file.h"
 #include "json.h"
 #include "open.h"
@@ -15,27 +16,38 @@ static const char notes[] =
     "A photo is a PNG of any colour type and depth. Grey gives a model of 1 channel, colour of 3; alpha is a\n"
     "channel of its own where it is not opaque everywhere. Values are used as they are: no gamma, no colour\n"
     "profile. Several photos are further maps of one surface, in register and of one size: their channels are\n"
-    "analysed together. Method texton is texton noise, for textures without structure; picture repeats the\n"
-    "photo as it is.";
+    "analysed together. Method texton is texton noise, for textures without structure; wavelet is noise in\n"
+    "octaves with a tone curve, for such textures without direction: its models are tiny, can be edited as JSON\n"
+    "and fill space; picture repeats the photo as it is; auto takes the one that `weft describe` names. --bands,\n"
+    "--knots and --gaussian are of wavelet, --support to --seed of texton.";
+
+enum { CHOSEN_TEXTON, CHOSEN_WAVELET, CHOSEN_PICTURE, CHOSEN_AUTO }; /* in the order of the option's words */
 
 typedef struct analyze_options {
     const char* output;
     uint32_t method, interpolation, projection; /* indices of the words below */
+    int gaussian;
+    double from; /* what share of the work has been done before the analysis */
     weft_texton_options texton;
+    weft_wavelet_options wavelet;
 } analyze_options;
 
 static int parse(analyze_options* o, arguments* common, int count, char** words)
 {
-    const weft_texton_options defaults = WEFT_TEXTON_OPTIONS_INIT;
+    const weft_texton_options texton = WEFT_TEXTON_OPTIONS_INIT;
+    const weft_wavelet_options wavelet = WEFT_WAVELET_OPTIONS_INIT;
     const option table[] = {
         {"-o", OPTION_TEXT, &o->output, "MODEL", "where the model goes", 0, 0},
-        {"--method", OPTION_CHOICE, &o->method, "texton|picture", "what to learn; default texton", 0, 0},
+        {"--method", OPTION_CHOICE, &o->method, "texton|wavelet|picture|auto", "default texton", 0, 0},
         {"--support", OPTION_COUNT, &o->texton.support, "N", "edge of the texton in pixels; default 64", 1, 8192},
         {"--iterations", OPTION_COUNT, &o->texton.iterations, "N", "of the projections", 1, 1000000},
         {"--interpolation", OPTION_CHOICE, &o->interpolation, "0|1|3|5", "order of the B-spline; default 1", 0, 0},
         {"--projection", OPTION_CHOICE, &o->projection, "plain|momentum", "Algorithm 1 as published, or accelerated", 0,
          0},
         {"--seed", OPTION_SEED, &o->texton.seed, "N", "of the noise that the projections start from; default 0", 0, 0},
+        {"--bands", OPTION_COUNT, &o->wavelet.bands, "N", "octaves; default all that the photo holds", 1, 16},
+        {"--knots", OPTION_COUNT, &o->wavelet.tone_knots, "N", "of the tone curves; default 10", 2, 32},
+        {"--gaussian", OPTION_FLAG, &o->gaussian, NULL, "no tone curves", 0, 0},
     };
     const command_line line = {
         "analyze", "PHOTO... -o MODEL", "Learns a model from a photo.", notes, table, sizeof table / sizeof table[0],
@@ -44,21 +56,43 @@ static int parse(analyze_options* o, arguments* common, int count, char** words)
                                                 WEFT_INTERPOLATION_CUBIC, WEFT_INTERPOLATION_QUINTIC};
     static const weft_projection projections[] = {WEFT_PROJECTION_PLAIN, WEFT_PROJECTION_MOMENTUM};
     memset(o, 0, sizeof *o);
-    o->texton = defaults;
+    o->texton = texton;
+    o->wavelet = wavelet;
     o->interpolation = o->projection = UINT32_MAX;
     int code = parse_arguments(&line, count, words, common);
     if (code >= 0) return code;
     if (!o->output) return misused("it needs -o MODEL");
+    o->wavelet.gaussian = (uint32_t)o->gaussian;
     if (o->interpolation != UINT32_MAX) o->texton.interpolation = orders[o->interpolation];
     if (o->projection != UINT32_MAX) o->texton.projection = projections[o->projection];
     return check_stdout(common->json, o->output) ? EXIT_USAGE : -1;
 }
 
+/* Makes --method auto the method that suits the photo. */
+static int choose(weft_context* context, const weft_image* photo, analyze_options* o)
+{
+    weft_description description;
+    progress_span first = {0, 0.5};
+    if (o->method != CHOSEN_AUTO) return EXIT_FINE;
+    int code = describe_photo(context, photo, &first, &description);
+    if (code != EXIT_FINE) return code;
+    o->method = description.method == WEFT_METHOD_TEXTON    ? CHOSEN_TEXTON
+                : description.method == WEFT_METHOD_WAVELET ? CHOSEN_WAVELET
+                                                            : CHOSEN_PICTURE;
+    o->from = first.to;
+    return EXIT_FINE;
+}
+
 static int analyze(weft_context* context, const weft_image* photo, const analyze_options* o, weft_model** model)
 {
-    progress_span whole = {0, 1};
-    weft_status status = o->method == 0 ? weft_analyze_texton(context, photo, &o->texton, progress_step, &whole, model)
-                                        : weft_analyze_picture(context, photo, model);
+    progress_span whole = {o->from, 1};
+    weft_status status = WEFT_OK;
+    if (o->method == CHOSEN_TEXTON)
+        status = weft_analyze_texton(context, photo, &o->texton, progress_step, &whole, model);
+    else if (o->method == CHOSEN_WAVELET)
+        status = weft_analyze_wavelet(context, photo, &o->wavelet, progress_step, &whole, model);
+    else
+        status = weft_analyze_picture(context, photo, model);
     progress_clear();
     return status == WEFT_OK ? EXIT_FINE : failed_weft(status);
 }
@@ -81,8 +115,9 @@ static void report(const weft_model_info* info, const analyze_options* o, const 
         json_real(&out, "seconds", seconds);
         json_end(&out);
     } else if (!common->quiet && strcmp(o->output, "-") != 0) {
-        printf("%s: %s of %u x %u, channels %u, %.0f KiB", o->output, method_name(info->method), info->width,
-               info->height, info->channels, (double)info->bytes / 1024);
+        char size[MODEL_SIZE_ROOM];
+        printf("%s: %s%s, channels %u, %.*f KiB", o->output, method_name(info->method), model_size(info, size),
+               info->channels, info->bytes < 10240 ? 1 : 0, (double)info->bytes / 1024);
         if (info->model_error >= 0) printf(", relative model error %.3f", (double)info->model_error);
         printf(", %.2f s\n", seconds);
     }
@@ -102,6 +137,7 @@ int command_analyze(int count, char** words)
     code = open_context(&common, &context);
     if (code == EXIT_FINE) code = open_photos(common.operand, common.operands, &photo);
     double begin = wall_seconds();
+    if (code == EXIT_FINE) code = choose(context, &photo, &o);
     if (code == EXIT_FINE) code = analyze(context, &photo, &o, &model);
     double seconds = wall_seconds() - begin;
     if (code == EXIT_FINE) code = save_model(model, o.output);

@@ -71,7 +71,7 @@ void bench_write_text(const bench* b);
 /* Ratios by best_rate, or by processor_rate, which other programs disturb less; 0 where one is not defined. */
 typedef double (*bench_rate)(const measurement* m);
 
-double ratio_of_peak(const bench* b, const device_case* d, bench_rate rate); /* channels * 3 * impacts per pixel */
+double ratio_of_peak(const bench* b, const device_case* d, bench_rate rate); /* 3 * impacts, or 10, * channels */
 double ratio_of_store(const bench* b, const device_case* d, bench_rate rate);
 double ratio_to_yardstick(const bench* b, const device_case* d, bench_rate rate);
 double ratio_to_scalar(const bench* b, const device_case* d, bench_rate rate);

@@ -31,8 +31,9 @@ static double window_ratio(const device_case* d, const device_case* other, bench
 
 double ratio_of_peak(const bench* b, const device_case* d, bench_rate rate)
 {
-    if (b->info.method != WEFT_METHOD_TEXTON) return 0;
-    double work = 3.0 * b->info.channels * (double)b->impacts;
+    double work = 0;
+    if (b->info.method == WEFT_METHOD_TEXTON) work = 3.0 * b->info.channels * (double)b->impacts;
+    if (b->info.method == WEFT_METHOD_WAVELET) work = 10.0 * b->info.channels;
     return divide(rate(&d->window) * work, rate(&limits_of(b, d)->multiply_add));
 }
 

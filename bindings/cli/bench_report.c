@@ -131,8 +131,8 @@ static void print_device(const bench* b, const device_case* d)
 
 void bench_write_text(const bench* b)
 {
-    printf("%s: %s of %u x %u, channels %u", b->path, method_name(b->info.method), b->info.width, b->info.height,
-           b->info.channels);
+    char size[MODEL_SIZE_ROOM];
+    printf("%s: %s%s, channels %u", b->path, method_name(b->info.method), model_size(&b->info, size), b->info.channels);
     if (b->has_yardstick) printf(", %g impacts", (double)b->impacts);
     printf("; window of %u x %u floats, best of %u\n", b->size.width, b->size.height, b->repetitions);
     print_limits(b);

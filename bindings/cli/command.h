@@ -15,6 +15,8 @@ int command_render(int count, char** words);
 int command_info(int count, char** words);
 int command_export(int count, char** words);
 int command_import(int count, char** words);
+int command_describe(int count, char** words);
+int command_mix(int count, char** words);
 int command_compare(int count, char** words);
 int command_devices(int count, char** words);
 int command_bench(int count, char** words);

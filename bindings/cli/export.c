@@ -6,6 +6,7 @@
 #include "open.h"
 #include "options.h"
 #include "report.h"
+#include "wavelet_json.h"
 
 #include <errno.h>
 #include <math.h>
@@ -15,7 +16,8 @@
 
 static const char notes[] =
     "DIR gets a 16-bit PNG of every part, model.json, and of a texton with 1 or 3 channels texton.texton, the\n"
-    "text format of texton noise's authors, which `weft import` reads. A value of a part is low + (high -\n"
+    "text format of texton noise's authors, or of wavelet noise wavelet.json, all its parameters, both of which\n"
+    "`weft import` reads. A value of a part is low + (high -\n"
     "low) * pixel / 65535 with the low and high that model.json records. A part of more than 4 channels gives\n"
     "a grey PNG per channel.";
 
@@ -39,6 +41,8 @@ static void scale(const float* values, uint16_t* pixels, size_t count, const wef
 static void name_files(const weft_part_info* part, char name[64])
 {
     snprintf(name, 64, "%s%s.png", part->name, part->channels > 4 ? "-%d" : "");
+    for (char* c = name; *c; c++)
+        if (*c == ' ') *c = '-';
 }
 
 static int write_pixels(const char* folder, const weft_part_info* part, const weft_image* image)
@@ -107,6 +111,8 @@ static int describe(json* out, const weft_model* model, const weft_model_info* i
     json_model(out, info);
     if (text)
         json_text(out, "text", "texton.texton");
+    else if (info->method == WEFT_METHOD_WAVELET)
+        json_text(out, "text", "wavelet.json");
     else
         json_null(out, "text");
     json_array(out, "parts");
@@ -142,12 +148,29 @@ static int write_description(const weft_model* model, const weft_model_info* inf
     return code;
 }
 
+static int write_wavelet(const weft_model* model, const char* folder)
+{
+    weft_wavelet wavelet;
+    output_file file;
+    char* path = join(folder, "wavelet.json");
+    int code = path ? get_wavelet(model, &wavelet) : failed("out of memory");
+    if (code == EXIT_FINE) code = output_open(&file, path);
+    if (code == EXIT_FINE) {
+        json out = json_begin(file.file);
+        json_wavelet(&out, NULL, &wavelet);
+        code = output_commit(&file);
+    }
+    free(path);
+    return code;
+}
+
 static int write_all(const weft_model* model, const weft_model_info* info, const char* folder, int as_json)
 {
     int text = 0;
     int code = mkdir(folder, 0777) == 0 || errno == EEXIST ? EXIT_FINE : failed("%s: %s", folder, strerror(errno));
     for (uint32_t i = 0; i < info->parts && code == EXIT_FINE; i++) code = write_part(model, i, folder);
     if (code == EXIT_FINE) code = write_text(model, folder, &text);
+    if (code == EXIT_FINE && info->method == WEFT_METHOD_WAVELET) code = write_wavelet(model, folder);
     if (code == EXIT_FINE) code = write_description(model, info, folder, text);
     if (code == EXIT_FINE && as_json) {
         json out = json_begin(stdout);
@@ -158,7 +181,8 @@ static int write_all(const weft_model* model, const weft_model_info* info, const
 
 int command_export(int count, char** words)
 {
-    const command_line line = {"export", "MODEL DIR", "Writes a model's parts as PNG and text.", notes, NULL, 0, 2, 2};
+    const command_line line = {
+        "export", "MODEL DIR", "Writes a model's parts as PNG, text and JSON.", notes, NULL, 0, 2, 2};
     arguments common;
     weft_context* context = NULL;
     weft_model* model = NULL;

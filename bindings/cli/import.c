@@ -1,10 +1,11 @@
-/* weft import: the .texton text of texton noise's authors -> model. */
+/* weft import: the .texton text of texton noise's authors, or the JSON of wavelet noise -> model. */
 #include "command.h"
 #include "file.h"
 #include "json.h"
 #include "open.h"
 #include "options.h"
 #include "report.h"
+#include "wavelet_json.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -22,8 +23,32 @@ static void report(const weft_model_info* info, const char* output, const argume
         json_unsigned(&out, "bytes", info->bytes);
         json_end(&out);
     } else if (!common->quiet && strcmp(output, "-") != 0) {
-        printf("%s: texton of %u x %u, channels %u\n", output, info->width, info->height, info->channels);
+        char size[MODEL_SIZE_ROOM];
+        printf("%s: %s%s, channels %u\n", output, method_name(info->method), model_size(info, size), info->channels);
     }
+}
+
+/* A JSON object by its name or by how it begins; a .texton begins with a number. */
+static int is_json(const char* path, const char* text, size_t size)
+{
+    size_t length = strlen(path), i = 0;
+    if (length > 5 && strcmp(path + length - 5, ".json") == 0) return 1;
+    while (i < size && (text[i] == ' ' || text[i] == '\t' || text[i] == '\r' || text[i] == '\n')) i++;
+    return i < size && text[i] == '{';
+}
+
+static int make(weft_context* context, const char* path, const char* text, size_t size, weft_model** model)
+{
+    weft_wavelet wavelet;
+    weft_status status = WEFT_OK;
+    if (is_json(path, text, size)) {
+        int code = read_wavelet(path, text, size, &wavelet);
+        if (code != EXIT_FINE) return code;
+        status = weft_model_from_wavelet(context, &wavelet, model);
+    } else {
+        status = weft_model_load_texton(context, text, size, model);
+    }
+    return status == WEFT_OK ? EXIT_FINE : failed("%s: %s", path, weft_error_message());
 }
 
 static int load(weft_context* context, const char* path, weft_model** model)
@@ -32,17 +57,22 @@ static int load(weft_context* context, const char* path, weft_model** model)
     size_t size = 0;
     int code = read_file(path, &text, &size);
     if (code != EXIT_FINE) return code;
-    weft_status status = weft_model_load_texton(context, text, size, model);
+    code = make(context, path, text, size, model);
     free(text);
-    return status == WEFT_OK ? EXIT_FINE : failed("%s: %s", path, weft_error_message());
+    return code;
 }
 
 int command_import(int count, char** words)
 {
     const char* output = NULL;
     const option table[] = {{"-o", OPTION_TEXT, &output, "MODEL", "where the model goes", 0, 0}};
-    const command_line line = {"import", "FILE.texton -o MODEL", "Makes a model of a .texton file.", NULL, table, 1, 1,
-                               1};
+    static const char notes[] =
+        "A .texton is the text of texton noise's authors. A .json holds the parameters of wavelet noise as `weft\n"
+        "export` writes them: \"method\": \"wavelet\", \"mean\" by channel, \"axes\" a row of channels for every\n"
+        "principal axis, \"weights\" a row of bands, finest first, for every axis, and \"tone\" the curves' knots\n"
+        "\"x\", \"y\", \"slope\" for every axis, or [] for none. It can be edited or written without any photo.";
+    const command_line line = {
+        "import", "FILE -o MODEL", "Makes a model of a .texton or .json file.", notes, table, 1, 1, 1};
     arguments common;
     weft_context* context = NULL;
     weft_model* model = NULL;

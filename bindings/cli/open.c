@@ -119,7 +119,23 @@ int save_model(const weft_model* model, const char* path)
 
 const char* method_name(weft_method method)
 {
-    return method == WEFT_METHOD_TEXTON ? "texton" : method == WEFT_METHOD_PICTURE ? "picture" : "unknown";
+    switch (method) {
+    case WEFT_METHOD_TEXTON:
+        return "texton";
+    case WEFT_METHOD_WAVELET:
+        return "wavelet";
+    case WEFT_METHOD_PICTURE:
+        return "picture";
+    default:
+        return "unknown";
+    }
+}
+
+const char* model_size(const weft_model_info* info, char text[MODEL_SIZE_ROOM])
+{
+    text[0] = '\0';
+    if (info->width > 0) snprintf(text, MODEL_SIZE_ROOM, " of %u x %u", info->width, info->height);
+    return text;
 }
 
 int interpolation_order(weft_interpolation interpolation)

@@ -19,6 +19,10 @@ int save_model(const weft_model* model, const char* path);
 
 const char* method_name(weft_method method);
 
+/* " of W x H" of models that have a size, else nothing; answers with `text`. */
+enum { MODEL_SIZE_ROOM = 32 };
+const char* model_size(const weft_model_info* info, char text[MODEL_SIZE_ROOM]);
+
 /* The order of the B-spline, 0, 1, 3 or 5; -1 for none. */
 int interpolation_order(weft_interpolation interpolation);
 

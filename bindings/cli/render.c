@@ -16,13 +16,14 @@ static const char notes[] =
     "The texture is endless: the same position of the same model and seed is always the same pixel, whatever\n"
     "the window, the device or the number of threads. --at counts pixels of the level. Models of 1, 2, 3 and\n"
     "4 channels give grey, grey and alpha, RGB and RGBA. For more, and to undo what `analyze` has stacked,\n"
-    "--maps 3,1,3 says how many channels each map has; the %d in -o OUT-%d.png becomes the map's number.";
+    "--maps 3,1,3 says how many channels each map has; the %d in -o OUT-%d.png becomes the map's number.\n"
+    "Of a mixed model --mix shows black the first step, white the last; the map, a grey PNG, repeats.";
 
 typedef struct render_options {
-    const char *output, *maps_text;
+    const char *output, *maps_text, *mix;
     extent size, period;
     position at;
-    uint32_t level, depth;
+    uint32_t level, depth, mix_scale;
     uint32_t groups[16]; /* channels of each map */
     int group_count;
     weft_texture_options texture;
@@ -42,6 +43,7 @@ static int check(render_options* o, const arguments* common)
         if (o->groups[i] > 4) return misused("a map has 1 to 4 channels, not %u", o->groups[i]);
     if (o->group_count > 1 && !strstr(o->output, "%d"))
         return misused("-o needs a %%d for the numbers of several maps");
+    if (o->mix_scale && !o->mix) return misused("--mix-scale needs --mix MAP.png");
     return check_stdout(common->json, o->output) ? EXIT_USAGE : -1;
 }
 
@@ -58,6 +60,8 @@ static int parse(render_options* o, arguments* common, int count, char** words)
         {"--impacts", OPTION_REAL, &o->texture.impacts, "N", "mean number of impacts of a noise; default 30", 1, 1000},
         {"--depth", OPTION_COUNT, &o->depth, "8|16", "bits of the PNG; default 8", 8, 16},
         {"--maps", OPTION_TEXT, &o->maps_text, "N,N,...", "channels of each map, one file per map", 0, 0},
+        {"--mix", OPTION_TEXT, &o->mix, "MAP.png", "which step of a mixed model is where", 0, 0},
+        {"--mix-scale", OPTION_COUNT, &o->mix_scale, "S", "pixels per pixel of that map; default 1", 1, 65536},
     };
     const command_line line = {"render",
                                "MODEL -o OUT.png --size WxH",
@@ -74,6 +78,7 @@ static int parse(render_options* o, arguments* common, int count, char** words)
     if (code >= 0) return code;
     o->texture.period_x = o->period.width;
     o->texture.period_y = o->period.height;
+    o->texture.mix_scale = (float)o->mix_scale;
     return check(o, common);
 }
 
@@ -113,6 +118,17 @@ static int write_bands(const weft_texture* texture, const render_options* o, con
     progress_clear();
     free(band.data);
     return code;
+}
+
+/* The map that --mix names; a texture keeps none of its pixels, but the caller frees map->data. */
+static int open_mix(render_options* o, weft_image* map)
+{
+    if (!o->mix) return EXIT_FINE;
+    int code = open_photos(&o->mix, 1, map);
+    if (code != EXIT_FINE) return code;
+    if (map->channels != 1) return failed("%s has %u channels, which is no grey picture", o->mix, map->channels);
+    o->texture.mix = map;
+    return EXIT_FINE;
 }
 
 static int render(weft_context* context, const weft_model* model, uint32_t channels, const render_options* o)
@@ -160,6 +176,7 @@ int command_render(int count, char** words)
     weft_model* model = NULL;
     weft_model_info info;
     weft_device_info device = WEFT_DEVICE_INFO_INIT;
+    weft_image map = {NULL, 0, 0, 0, 0, 0};
     int code = parse(&o, &common, count, words);
     if (code >= 0) return code;
     progress_begin(common.quiet);
@@ -167,10 +184,12 @@ int command_render(int count, char** words)
     code = open_context(&common, &context);
     if (code == EXIT_FINE) code = open_model(context, common.operand[0], &model, &info);
     if (code == EXIT_FINE) code = settle_groups(&o, info.channels);
+    if (code == EXIT_FINE) code = open_mix(&o, &map);
     if (code == EXIT_FINE) code = render(context, model, info.channels, &o);
     if (code == EXIT_FINE && common.json && weft_context_device(context, &device) == WEFT_OK)
         report(&o, device.name, wall_seconds() - begin);
     weft_model_free(model);
     weft_context_free(context);
+    free(map.data);
     return code;
 }

@@ -55,14 +55,14 @@ expect 2 "$weft" nonsense
 expect 0 "$weft" --help
 expect 0 "$weft" --version
 says '^weft [0-9]*\.[0-9]*\.[0-9]*, libweft '
-for command in analyze render info export import compare devices bench; do
+for command in analyze describe render info export import mix compare devices bench; do
     expect 0 "$weft" $command --help
     says 'exit codes: 0 fine, 1 the work failed, 2 wrong usage, 3 cancelled'
     expect 2 "$weft" $command --no-such-option
     expect 2 "$weft" $command --threads 0
     expect 2 "$weft" $command --threads
 done
-for command in analyze render info export import compare bench; do expect 2 "$weft" $command; done
+for command in analyze describe render info export import mix compare bench; do expect 2 "$weft" $command; done
 
 # Devices
 expect 0 "$weft" devices
@@ -142,6 +142,116 @@ absent picture_parts/texton.texton
 expect 1 "$weft" import "$photo" -o bad.weft
 absent bad.weft
 
+# Wavelet noise, its parameters as JSON there and back, and written without a photo
+expect 0 "$weft" analyze "$photo" -o wavelet.weft --method wavelet
+says '^wavelet.weft: wavelet, channels 3'
+expect 0 "$weft" analyze "$photo" -o plain.weft --method wavelet --bands 4 --gaussian --json
+valid_json out
+expect 0 "$weft" analyze "$photo" -o knots.weft --method wavelet --bands 4 --knots 6
+expect 2 "$weft" analyze "$photo" -o bad.weft --method wavelet --bands 17
+expect 2 "$weft" analyze "$photo" -o bad.weft --method wavelet --knots 1
+expect 0 "$weft" info knots.weft
+says '^bands *4$'
+says '^tone knots *6$'
+expect 0 "$weft" info plain.weft
+says '^tone knots *none$'
+expect 0 "$weft" info wavelet.weft --json
+says '"weights": \['
+valid_json out
+for model in wavelet plain knots; do
+    expect 0 "$weft" export $model.weft ${model}_parts
+    valid_json ${model}_parts/wavelet.json
+    valid_json ${model}_parts/model.json
+    expect 0 "$weft" import ${model}_parts/wavelet.json -o back.weft
+    same $model.weft back.weft "wavelet noise as JSON there and back"
+done
+"$weft" import - -o back.weft --quiet <knots_parts/wavelet.json
+same knots.weft back.weft "JSON through a pipe"
+expect 0 "$weft" render wavelet.weft -o wavelet.png --size 90x70 --at -33,12 --device scalar --threads 1
+for device in $("$weft" devices | awk '$2 == "exact" { print $1 }'); do
+    expect 0 "$weft" render wavelet.weft -o device.png --size 90x70 --at -33,12 --device "$device"
+    same wavelet.png device.png "wavelet noise on device $device"
+done
+
+# What a photo is like
+expect 0 "$weft" describe "$photo"
+says '^structure '
+expect 0 "$weft" describe "$photo" --json
+valid_json out
+method=$(sed -n 's/^  "method": "\(.*\)",$/\1/p' out)
+expect 0 "$weft" analyze "$photo" -o auto.weft --method auto --support 16 --iterations 2
+says "^auto.weft: $method"
+expect 1 "$weft" describe knots.weft
+
+# import_json CODE WORDS JSON: what a file of that JSON gives, and what is said about it.
+import_json() {
+    printf '%s' "$3" >given.json
+    expect "$1" "$weft" import given.json -o given.weft
+    [ "$1" -eq 0 ] || cat err >out
+    says "$2"
+}
+import_json 0 'given.weft: wavelet, channels 1' '{"method": "wavelet", "mean": [0.5], "axes": [[1]],
+    "weights": [[0.1, 0.05e0, 2.5E-2]], "tone": []}'
+rm given.weft
+import_json 1 'given.json: line 1: ' ''
+import_json 1 'line 1: ' '[]'
+import_json 1 'line 1: "nothing" is unknown' '{"nothing": 1}'
+import_json 1 'line 2: "mean" is here twice' '{"mean": [0],
+    "mean": [0]}'
+import_json 1 'line 2: "method" is missing' '{"mean": [0], "axes": [[1]], "weights": [[1]], "tone": []
+}'
+import_json 1 'line 3: 2 channels here, 1 before' '{"method": "wavelet", "mean": [0],
+
+    "axes": [[1, 0]], "weights": [[1]], "tone": []}'
+import_json 1 'line 1: the method is "texton"' '{"method": "texton"}'
+import_json 1 'line 1: a number is expected' '{"mean": [[[[[[[['
+import_json 1 'line 1: more than 16 channels' '{"mean": [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]}'
+import_json 1 'line 2: something follows' '{"method": "wavelet", "mean": [0.5], "axes": [[1]], "weights": [[1]], "tone": []}
+x'
+import_json 1 'line 1: the number is too large' '{"mean": [1e40]}'
+import_json 1 'weft_model_from_wavelet' '{"method": "wavelet", "mean": [0], "axes": [[2]], "weights": [[1]], "tone": []}'
+size=$(wc -c <knots_parts/wavelet.json)
+for cut in 1 30 100 $((size / 2)) $((size - 3)); do
+    head -c $cut knots_parts/wavelet.json >given.json
+    expect 1 "$weft" import given.json -o given.weft
+done
+absent given.weft
+
+# Mixing
+expect 0 "$weft" mix wavelet.weft wavelet.weft -o mixed.weft --t 0.5
+expect 0 "$weft" mix wavelet.weft knots.weft -o mixed.weft --t 0 --json
+valid_json out
+expect 0 "$weft" render mixed.weft -o mixed.png --size 90x70 --at -33,12
+same wavelet.png mixed.png "the first of two models"
+expect 0 "$weft" mix knots.weft wavelet.weft -o mixed.weft --t 1
+expect 0 "$weft" render mixed.weft -o mixed.png --size 90x70 --at -33,12
+same wavelet.png mixed.png "the second of two models"
+expect 0 "$weft" analyze "$photo" -o first.weft --support 16 --iterations 2
+expect 0 "$weft" analyze "$exemplars/clay.png" -o second.weft --support 16 --iterations 2
+expect 0 "$weft" mix first.weft second.weft -o mixed.weft --steps 3
+says '3 steps'
+expect 0 "$weft" export mixed.weft mixed_parts
+for step in 0 1 2; do [ -s mixed_parts/texton-$step.png ] || bad "export wrote no texton-$step.png"; done
+valid_json mixed_parts/model.json
+"$weft" analyze "$grey" -o map.weft --method picture --quiet
+"$weft" render map.weft -o map.png --size 32x32
+expect 0 "$weft" render mixed.weft -o first.png --size 64x64
+expect 0 "$weft" render mixed.weft -o by_map.png --size 64x64 --mix map.png --mix-scale 4 --threads 1 --device scalar
+checks=$((checks + 1))
+cmp -s first.png by_map.png && bad "the map does nothing"
+expect 0 "$weft" render mixed.weft -o by_map2.png --size 64x64 --mix map.png --mix-scale 4
+same by_map.png by_map2.png "the same map"
+expect 1 "$weft" render mixed.weft -o bad.png --size 8x8 --mix "$photo"
+expect 1 "$weft" render first.weft -o bad.png --size 8x8 --mix map.png
+expect 2 "$weft" render mixed.weft -o bad.png --size 8x8 --mix-scale 4
+expect 2 "$weft" render mixed.weft -o bad.png --size 8x8 --mix map.png --mix-scale 0.5
+expect 2 "$weft" mix first.weft second.weft -o bad.weft
+expect 2 "$weft" mix first.weft second.weft -o bad.weft --t 0.5
+expect 2 "$weft" mix wavelet.weft knots.weft -o bad.weft --steps 3
+expect 2 "$weft" mix wavelet.weft knots.weft -o bad.weft --t 1.5
+expect 1 "$weft" mix first.weft knots.weft -o bad.weft --steps 3
+absent bad.weft bad.png
+
 # Several maps of one surface
 expect 0 "$weft" render photo.weft -o one.png --size 64x64
 expect 0 "$weft" analyze "$grey" -o grey.weft --method picture
@@ -218,6 +328,10 @@ fi
 expect 0 "$weft" bench noise.weft --size 48x40 --repetitions 2 --device scalar --json
 valid_json out
 says '"to_yardstick"'
+expect 0 "$weft" bench wavelet.weft --size 48x40 --repetitions 1 --device scalar --json
+valid_json out
+says '"to_yardstick": null'
+says '"of_multiply_add_peak": [0-9]'
 expect 0 "$weft" bench photo.weft --size 48x40 --repetitions 1 --device scalar
 says '^scalar'
 

@@ -16,7 +16,7 @@
  *            always means the default. A shorter struct of an older header is taken as if its tail were zero. A
  *            longer one of a newer header must be zero beyond what this library knows, else WEFT_ERROR_UNSUPPORTED;
  *            of one that is filled in, the unknown tail becomes zero. A field called `zero` counts as such a tail. A
- *            size below 4 or above 4096 is WEFT_ERROR_ARGUMENT.
+ *            size below 4 or above 4096 (of weft_wavelet 16384) is WEFT_ERROR_ARGUMENT.
  * Values     are used in the encoding they come in: sRGB in, sRGB out; data in, data out. Output is never
  *            normalised per image; integer formats are rounded to nearest and clamped.
  * Positions  are in pixels of the exemplar, x to the right and y down; a pixel (i, j) is the sample at its
@@ -186,6 +186,20 @@ typedef struct weft_texton_options {
 WEFT_API weft_status weft_analyze_texton(weft_context *context, const weft_image *photo, const weft_texton_options *options,
                                          weft_progress progress, void *user, weft_model **model) WEFT_NOEXCEPT;
 
+/* Multiresolution wavelet noise: Lagae, Vangorp, Lenaerts, Dutre, "Procedural Isotropic Stochastic Textures by Example",
+ * Computers & Graphics 2010. */
+typedef struct weft_wavelet_options {
+  uint32_t size;
+  uint32_t bands;      /* octaves, from the pixel's own (1/4..1/2 cycles per pixel) downwards, 1..16; 0: all that the photo holds */
+  uint32_t tone_knots; /* of each principal channel's tone curve, 2..32; 0: 10 */
+  uint32_t gaussian;   /* 1: no tone curve, the output is Gaussian */
+} weft_wavelet_options;
+#define WEFT_WAVELET_OPTIONS_INIT { sizeof(weft_wavelet_options), 0, 0, 0 }
+
+/* Learns the weights of octaves of wavelet noise from a photo of 8 x 8 to 8192 x 8192 pixels. */
+WEFT_API weft_status weft_analyze_wavelet(weft_context *context, const weft_image *photo, const weft_wavelet_options *options,
+                                          weft_progress progress, void *user, weft_model **model) WEFT_NOEXCEPT;
+
 /* A picture as it is, repeated in both directions: the simplest texture. 1 x 1 to 16384 x 16384 pixels. */
 WEFT_API weft_status weft_analyze_picture(weft_context *context, const weft_image *picture, weft_model **model) WEFT_NOEXCEPT;
 
@@ -194,7 +208,8 @@ WEFT_API weft_status weft_analyze_picture(weft_context *context, const weft_imag
 typedef int32_t weft_method;
 enum {
   WEFT_METHOD_TEXTON  = 1, /* texton noise */
-  WEFT_METHOD_PICTURE = 5  /* a picture, repeated; 2, 3 and 4 are kept for wavelet noise, bi-layer and stationary textures */
+  WEFT_METHOD_WAVELET = 2, /* multiresolution wavelet noise */
+  WEFT_METHOD_PICTURE = 5  /* a picture, repeated; 3 and 4 are kept for bi-layer and stationary textures */
 };
 
 typedef struct weft_model_info {
@@ -206,7 +221,7 @@ typedef struct weft_model_info {
   uint32_t    width, height; /* of the texton or picture, in pixels of the exemplar */
   float       model_error;   /* relative model error against the periodogram of the photo (Xia et al. 2014): 0 best; -1: unknown */
   weft_interpolation interpolation; /* of the texton; 0 for other methods */
-  float       mean[16];      /* of the texture, per channel: exact */
+  float       mean[16];      /* of the texture, per channel: exact; of a mixed model, here and below: of its first step */
   float       deviation[16]; /* standard deviation of the texture at pixel centres, level 0, per channel */
 } weft_model_info;
 #define WEFT_MODEL_INFO_INIT { sizeof(weft_model_info), 0, 0, 0, 0, 0, 0, 0, 0, { 0 }, { 0 } }
@@ -228,10 +243,40 @@ WEFT_API weft_status weft_model_save_texton(const weft_model *model, char *text,
 
 WEFT_API weft_status weft_model_get(const weft_model *model, weft_model_info *info) WEFT_NOEXCEPT;
 
+/* All parameters of a wavelet noise model, to read, edit and make one without a photo. Colour of channel o at x:
+ *   mean[o] + sum over p of axes[p][o] * tone_p( sum over b of weight[b][p] * N_bp(x) )
+ * N is wavelet noise of unit variance over the centres of pixels at level 0 (in space over all positions), band b holding
+ * 2^-(b+2)..2^-(b+1) cycles per pixel; a period too short for a band leaves it out; tone_p is the monotone cubic
+ * Hermite spline through its knots, constant beyond them (Fritsch and Carlson 1980); none: tone_p(v) = v. */
+typedef struct weft_wavelet {
+  uint32_t size;
+  uint32_t channels; /* 1..16 */
+  uint32_t bands;    /* 1..16 */
+  uint32_t knots;    /* 0: no tone curves; else 2..32 */
+  float    mean[16];
+  float    axes[16][16];      /* row p: principal axis p, of unit length, orthogonal to the others */
+  float    weight[16][16];    /* [band][axis], 0 or more */
+  float    knot_x[32][16];    /* [knot][axis], ascending */
+  float    knot_y[32][16];    /* not descending */
+  float    knot_slope[32][16];
+} weft_wavelet;
+#define WEFT_WAVELET_INIT { sizeof(weft_wavelet), 0, 0, 0, { 0 }, { { 0 } }, { { 0 } }, { { 0 } }, { { 0 } }, { { 0 } } }
+
+/* Sets `wavelet` (whose `size` is set) to the parameters of a wavelet noise model. UNSUPPORTED: the model is no such. */
+WEFT_API weft_status weft_model_get_wavelet(const weft_model *model, weft_wavelet *wavelet) WEFT_NOEXCEPT;
+WEFT_API weft_status weft_model_from_wavelet(weft_context *context, const weft_wavelet *wavelet, weft_model **model) WEFT_NOEXCEPT;
+
+/* Between two models of one method and as many channels.
+ * Textons: `steps` (2..255) textons on the transport path from a to b (Galerne et al. 2017, section 7; Xia et al. 2014), of
+ *   which weft_texture_options.mix says where each applies; t is ignored.
+ * Wavelets: the model at t (0: a, 1: b), every parameter linear, the colour frame by the shortest rotation; steps is ignored. */
+WEFT_API weft_status weft_model_mix(weft_context *context, const weft_model *a, const weft_model *b, float t, uint32_t steps,
+                                    weft_model **model) WEFT_NOEXCEPT;
+
 /* What a model holds, as images for people and for other programs. */
 typedef struct weft_part_info {
   uint32_t size;
-  char     name[32]; /* "texton", "picture" */
+  char     name[32]; /* "texton", "picture"; of a mixed model "texton 0", "texton 1", ... */
   uint32_t width, height, channels;
   float    low, high; /* least and greatest value in it */
 } weft_part_info;
@@ -254,8 +299,11 @@ typedef struct weft_texture_options {
   uint32_t period_x, period_y; /* pixels after which the texture repeats exactly, up to 2^24; 0: a noise never, a picture after itself */
   float    impacts;            /* mean number of impacts of a noise, 1..1000; 0: 30 */
   uint64_t seed;
+  const weft_image *mix;       /* 1 channel in 0..1, repeated: which step of a mixed model where, 0 the first, 1 the last; NULL: 0 */
+  float    mix_scale;          /* pixels of the texture per pixel of `mix`, 1..65536, whole; 0: 1 */
+  uint32_t zero;
 } weft_texture_options;
-#define WEFT_TEXTURE_OPTIONS_INIT { sizeof(weft_texture_options), 0, 0, 0, 0 }
+#define WEFT_TEXTURE_OPTIONS_INIT { sizeof(weft_texture_options), 0, 0, 0, 0, NULL, 0, 0 }
 
 /* `options` may be NULL. A picture takes only periods that are multiples of its size; else WEFT_ERROR_ARGUMENT. */
 WEFT_API weft_status weft_texture_create(weft_context *context, const weft_model *model, const weft_texture_options *options,
@@ -277,6 +325,28 @@ typedef struct weft_point {
  * allocates nothing. */
 WEFT_API weft_status weft_texture_sample(const weft_texture *texture, size_t count, const weft_point *points,
                                          float *out) WEFT_NOEXCEPT;
+
+/* A position in space and an orthonormal tangent frame (normal = tangent x bitangent), in pixels of the exemplar: noise on a
+ * surface without texture coordinates (Galerne et al. 2017, section 6). Textures of texton models only, without periods
+ * and mix (ARGUMENT, else UNSUPPORTED); the default mean number of impacts is 60 here. The first call for a texture prepares,
+ * and allocates; otherwise as weft_texture_sample. */
+typedef struct weft_surface_point {
+  double position[3];
+  float  tangent[3];
+  float  bitangent[3];
+} weft_surface_point;
+WEFT_API weft_status weft_texture_sample_surface(const weft_texture *texture, size_t count, const weft_surface_point *points,
+                                                 float *out) WEFT_NOEXCEPT;
+
+/* A position in space and the width of its footprint in pixels: solid textures. Wavelet models only, without periods.
+ * Otherwise as weft_texture_sample_surface. */
+typedef struct weft_solid_point {
+  double position[3];
+  float  footprint;
+  float  zero;
+} weft_solid_point;
+WEFT_API weft_status weft_texture_sample_solid(const weft_texture *texture, size_t count, const weft_solid_point *points,
+                                               float *out) WEFT_NOEXCEPT;
 
 WEFT_API void weft_texture_free(weft_texture *texture) WEFT_NOEXCEPT;
 
@@ -356,6 +426,28 @@ typedef struct weft_comparison {
 WEFT_API weft_status weft_compare(weft_context *context, const weft_image *exemplar, const weft_image *output,
                                   const weft_compare_options *options, weft_progress progress, void *user,
                                   weft_comparison *comparison) WEFT_NOEXCEPT;
+
+/* Which method suits a photo. Measured on the most varied principal channel, the middle 512 x 512 pixels at most. Only
+ * methods that this libweft has are recommended. */
+typedef struct weft_description {
+  uint32_t    size;
+  weft_method method;
+  /* How far from Gaussian: root mean square difference between the correlations of the moduli of 4 x 4 oriented bands
+   * (octaves by directions: Portilla, Simoncelli 2000) and those of textures with the same spectrum and random phases,
+   * less what chance gives. 0: Gaussian; texton noise 0.02 to 0.04, grass 0.1, gravel 0.15, tiles 0.4. */
+  float       structure;
+  float       structure_toned; /* the same after the values were made normal by a tone curve */
+  float       histogram;  /* W1 distance of the values from normal ones, in standard deviations */
+  float       anisotropy; /* of the spectrum: second and fourth harmonic of power by direction; 0: isotropic, 1: one direction */
+  float       unevenness; /* standard deviation of log deviations of 8 x 8 blocks, beyond that of Gaussian textures; 0: stationary */
+  uint32_t    period_x, period_y; /* lag of the highest peak of the autocovariance along each axis, in pixels; 0: none */
+  char        reasons[256]; /* a sentence for people */
+} weft_description;
+#define WEFT_DESCRIPTION_INIT { sizeof(weft_description), 0, 0, 0, 0, 0, 0, 0, 0, "" }
+
+/* 16 x 16 pixels at least. */
+WEFT_API weft_status weft_describe(weft_context *context, const weft_image *photo, weft_progress progress, void *user,
+                                   weft_description *description) WEFT_NOEXCEPT;
 
 #ifdef __cplusplus
 }

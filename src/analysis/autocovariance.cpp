@@ -7,17 +7,6 @@
 namespace weft {
 namespace {
 
-/// The least length from `least` on with no prime factor above 5: transforms of such lengths are fast.
-std::uint32_t fast_length(std::uint32_t least) noexcept
-{
-    for (std::uint32_t length = least;; ++length) {
-        std::uint32_t rest = length;
-        for (const std::uint32_t factor : {2u, 3u, 5u})
-            while (rest % factor == 0) rest /= factor;
-        if (rest == 1) return length;
-    }
-}
-
 /// `lags` <- the mean products at its lags; `padded` and `spectra` are room to work in.
 void correlate(const PlaneTransform& transform, const float* plane, std::uint32_t width, std::uint32_t height,
                double scale, Planes& padded, Spectra& spectra, Planes& lags, std::uint32_t channel)

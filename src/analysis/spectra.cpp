@@ -4,6 +4,16 @@
 
 namespace weft {
 
+std::uint32_t fast_length(std::uint32_t least) noexcept
+{
+    for (std::uint32_t length = least;; ++length) {
+        std::uint32_t rest = length;
+        for (const std::uint32_t factor : {2u, 3u, 5u})
+            while (rest % factor == 0) rest /= factor;
+        if (rest == 1) return length;
+    }
+}
+
 PlaneTransform::PlaneTransform(Core& core, std::uint32_t width, std::uint32_t height)
     : core_(core), width_(width), height_(height), rows_(&core.memory, width), columns_(&core.memory, height)
 {

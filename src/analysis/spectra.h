@@ -57,6 +57,9 @@ template <class Body> void for_each_run(Parallel& parallel, std::uint32_t count,
     });
 }
 
+/// The least length from `least` on with no prime factor above 5: transforms of such lengths are fast.
+std::uint32_t fast_length(std::uint32_t least) noexcept;
+
 /// DFTs of pictures of one size, unnormalised.
 class PlaneTransform {
 public:

@@ -1,5 +1,6 @@
 /// weft_analyze_*: photo -> model.
 #include "analysis/texton.h"
+#include "analysis/wavelet.h"
 #include "api/guard.h"
 #include "api/model.h"
 #include "api/options.h"
@@ -18,6 +19,19 @@ weft_status weft_analyze_texton(weft_context* context, const weft_image* photo, 
         const auto options = read_options(given, function, "options");
         check_zero(options.zero, function, "options");
         *model = make_model(*context, analyze_texton(*context->core, *photo, options, Progress(progress, user)));
+    });
+}
+
+weft_status weft_analyze_wavelet(weft_context* context, const weft_image* photo, const weft_wavelet_options* given,
+                                 weft_progress progress, void* user, weft_model** model) noexcept
+{
+    constexpr char function[] = "weft_analyze_wavelet";
+    return guard(function, [&] {
+        require(context, function, ": context is NULL");
+        require(model, function, ": model is NULL");
+        check_image(photo, function, "photo");
+        const auto options = read_options(given, function, "options");
+        *model = make_model(*context, analyze_wavelet(*context->core, *photo, options, Progress(progress, user)));
     });
 }
 

@@ -11,12 +11,16 @@ using namespace weft;
 
 namespace {
 
+/// The picture, or all textons one after another; empty if the model has neither.
 const Planes& planes_of(const Model& model) noexcept
 {
-    return model.method == WEFT_METHOD_TEXTON ? model.texton.coefficients : model.picture;
+    return model.method == WEFT_METHOD_PICTURE ? model.picture : model.texton.coefficients;
 }
 
-constexpr std::uint32_t parts = 1;
+std::uint32_t parts_of(const Model& model) noexcept
+{
+    return model.method == WEFT_METHOD_WAVELET ? 0 : model.texton.images;
+}
 
 weft_model_info info_of(const Loaded_model& loaded)
 {
@@ -25,7 +29,7 @@ weft_model_info info_of(const Loaded_model& loaded)
     weft_model_info info{};
     info.method = model.method;
     info.channels = model.channels;
-    info.parts = parts;
+    info.parts = parts_of(model);
     info.bytes = size_of_file(model);
     info.width = planes.width;
     info.height = planes.height;
@@ -37,10 +41,21 @@ weft_model_info info_of(const Loaded_model& loaded)
     return info;
 }
 
-void check_part(const weft_model* model, uint32_t index, const char* function)
+/// One image of a model: of a mixed one the texton of one step.
+struct Part {
+    const float* values;
+    std::uint32_t width, height, channels;
+    std::size_t count() const noexcept { return std::size_t{width} * height * channels; }
+};
+
+Part checked_part(const weft_model* handle, uint32_t index, const char* function)
 {
-    require(model, function, ": model is NULL");
-    require(index < parts, function, ": index is ", index, ", the model has ", parts, " part");
+    require(handle, function, ": model is NULL");
+    const Model& model = handle->loaded.object->model;
+    const std::uint32_t parts = parts_of(model);
+    require(index < parts, function, ": index is ", index, ", the model has ", parts, parts == 1 ? " part" : " parts");
+    const Planes& planes = planes_of(model);
+    return {planes.plane(std::size_t{index} * model.channels), planes.width, planes.height, model.channels};
 }
 
 } // namespace
@@ -109,20 +124,22 @@ weft_status weft_model_part(const weft_model* model, uint32_t index, weft_part_i
 {
     constexpr char function[] = "weft_model_part";
     return guard(function, [&] {
-        check_part(model, index, function);
+        const Part part = checked_part(model, index, function);
         const std::uint32_t size = checked_size(info, function, "info");
         const Model& known = model->loaded.object->model;
-        const Planes& planes = planes_of(known);
-        weft_part_info part{};
-        const std::string_view name = known.method == WEFT_METHOD_TEXTON ? "texton" : "picture";
-        std::copy(name.begin(), name.end(), part.name);
-        part.width = planes.width;
-        part.height = planes.height;
-        part.channels = planes.count;
-        const auto [low, high] = std::minmax_element(planes.values.begin(), planes.values.end());
-        part.low = *low;
-        part.high = *high;
-        write_info(part, info, size);
+        const Sentence step("texton ", index);
+        const std::string_view name = known.method == WEFT_METHOD_PICTURE ? "picture"
+                                      : known.texton.images == 1          ? "texton"
+                                                                          : step.c_str();
+        weft_part_info result{};
+        std::copy(name.begin(), name.end(), result.name);
+        result.width = part.width;
+        result.height = part.height;
+        result.channels = part.channels;
+        const auto [low, high] = std::minmax_element(part.values, part.values + part.count());
+        result.low = *low;
+        result.high = *high;
+        write_info(result, info, size);
     });
 }
 
@@ -130,16 +147,15 @@ weft_status weft_model_part_read(const weft_model* model, uint32_t index, const 
 {
     constexpr char function[] = "weft_model_part_read";
     return guard(function, [&] {
-        check_part(model, index, function);
+        const Part part = checked_part(model, index, function);
         check_image(image, function, "image");
-        const Planes& planes = planes_of(model->loaded.object->model);
         require(image->format == WEFT_FORMAT_F32, function, ": image->format is ", image->format,
                 ", not WEFT_FORMAT_F32");
-        require(image->channels == planes.count, function, ": image->channels is ", image->channels, ", the part has ",
-                planes.count);
-        require(image->width == planes.width && image->height == planes.height, function, ": image is ", image->width,
-                " x ", image->height, ", the part is ", planes.width, " x ", planes.height);
-        write_window(*image, 0, 0, planes.width, planes.height, planes.values.data(), planes.width, planes.height);
+        require(image->channels == part.channels, function, ": image->channels is ", image->channels, ", the part has ",
+                part.channels);
+        require(image->width == part.width && image->height == part.height, function, ": image is ", image->width,
+                " x ", image->height, ", the part is ", part.width, " x ", part.height);
+        write_window(*image, 0, 0, part.width, part.height, part.values, part.width, part.height);
     });
 }
 

@@ -6,14 +6,15 @@
 
 namespace weft {
 
-constexpr std::uint32_t most_struct_size = 4096; ///< more is no struct of any libweft, but rubbish
+/// More is no struct of any libweft, but rubbish.
+template <class Struct> constexpr std::uint32_t most_struct_size = sizeof(Struct) <= 4096 ? 4096 : 16384;
 
-inline std::uint32_t checked_size(const void* given, const char* function, const char* argument)
+template <class Struct> std::uint32_t checked_size(const Struct* given, const char* function, const char* argument)
 {
     require(given, function, ": ", argument, " is NULL");
     std::uint32_t size;
     std::memcpy(&size, given, sizeof size);
-    require(size >= sizeof size && size <= most_struct_size, function, ": ", argument, "->size is ", size,
+    require(size >= sizeof size && size <= most_struct_size<Struct>, function, ": ", argument, "->size is ", size,
             "; start from the _INIT value");
     return size;
 }

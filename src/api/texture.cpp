@@ -15,7 +15,9 @@ weft_status weft_texture_create(weft_context* context, const weft_model* model, 
         require(model, function, ": model is NULL");
         require(texture, function, ": texture is NULL");
         const Model& known = model->loaded.object->model;
-        const auto options = complete_options(known, read_options(given, function, "options"));
+        const auto asked = read_options(given, function, "options");
+        check_zero(asked.zero, function, "options");
+        const auto options = complete_options(known, asked);
         auto made = make_in<Texture>(context->core, *context->core, *context->device.object, known, options);
         *texture = make_handle<weft_texture>(context->core, context->device, model->loaded,
                                              In_core<const Texture>{made.core, made.object});
@@ -40,6 +42,26 @@ weft_status weft_texture_sample(const weft_texture* texture, size_t count, const
     return guard(function, [&] {
         require(texture, function, ": texture is NULL");
         texture->texture.object->sample(count, points, out);
+    });
+}
+
+weft_status weft_texture_sample_surface(const weft_texture* texture, size_t count, const weft_surface_point* points,
+                                        float* out) noexcept
+{
+    constexpr char function[] = "weft_texture_sample_surface";
+    return guard(function, [&] {
+        require(texture, function, ": texture is NULL");
+        texture->texture.object->sample_surface(count, points, out);
+    });
+}
+
+weft_status weft_texture_sample_solid(const weft_texture* texture, size_t count, const weft_solid_point* points,
+                                      float* out) noexcept
+{
+    constexpr char function[] = "weft_texture_sample_solid";
+    return guard(function, [&] {
+        require(texture, function, ": texture is NULL");
+        texture->texture.object->sample_solid(count, points, out);
     });
 }
 

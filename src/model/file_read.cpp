@@ -86,7 +86,7 @@ Method read_method(const Chunk& chunk, Model& model)
     demand(flags == 0, "METH's flags are ", flags);
     demand(reader.remaining() == std::size_t{model.channels} * 4, "METH has ", chunk.payload.remaining(), " bytes");
     reader.floats(model.mean.data(), model.channels);
-    if (method != WEFT_METHOD_TEXTON && method != WEFT_METHOD_PICTURE)
+    if (method != WEFT_METHOD_TEXTON && method != WEFT_METHOD_WAVELET && method != WEFT_METHOD_PICTURE)
         throw Error(WEFT_ERROR_UNSUPPORTED, "method ", method, " is not known to this libweft");
     demand(result.layers == 1, "the model has ", result.layers, " layers, its method has 1");
     model.method = static_cast<weft_method>(method);
@@ -95,35 +95,77 @@ Method read_method(const Chunk& chunk, Model& model)
 
 /// The floats that end a chunk. Factors are bounded before they are multiplied, the product compared before allocation.
 Planes read_planes(Reader& reader, std::pmr::memory_resource* memory, std::uint32_t width, std::uint32_t height,
-                   std::uint32_t planes, const Model& model)
+                   std::uint32_t planes, std::uint32_t images, const Model& model)
 {
     demand(width >= 1 && width <= most_side && height >= 1 && height <= most_side, "a layer has ", width, " x ", height,
            " values, not 1..", most_side, " a side");
     demand(planes == model.channels, "a layer has ", planes, " planes, the model has ", model.channels, " channels");
-    const std::uint64_t bytes = std::uint64_t{width} * height * planes * 4;
+    const std::uint64_t bytes = std::uint64_t{width} * height * planes * images * 4;
     demand(bytes == reader.remaining(), "a layer has ", reader.remaining(), " bytes of values, its sizes say ", bytes);
-    Planes result(memory, width, height, planes, Array<float>::unset);
+    Planes result(memory, width, height, planes * images, Array<float>::unset);
     reader.floats(result.values.data(), result.values.size());
     return result;
 }
 
-void read_splat(Reader reader, std::pmr::memory_resource* memory, Model& model)
+void read_splat(Reader& reader, std::pmr::memory_resource* memory, Model& model)
 {
-    demand(model.method == WEFT_METHOD_TEXTON, "a picture's model has a chunk SPLT");
+    demand(model.method == WEFT_METHOD_TEXTON, "a chunk SPLT is not of the model's method");
     const std::uint32_t width = reader.u32(), height = reader.u32(), planes = reader.u32(), images = reader.u32();
     model.texton.taps = reader.u32();
     model.texton.model_error = reader.f32();
     demand(reader.u32() == 0 && reader.u32() == 0, "SPLT's reserved fields are not zero");
-    demand(images == 1, "SPLT has ", images, " images, a texton has 1");
-    model.texton.coefficients = read_planes(reader, memory, width, height, planes, model);
+    demand(images >= 1 && images <= most_images, "SPLT has ", images, " images, not 1..255");
+    model.texton.images = images;
+    if (images > 1) {
+        const std::size_t means = std::size_t{images} * model.channels;
+        demand(reader.remaining() >= means * 4, "SPLT has ", reader.remaining(), " bytes for the means of ", images,
+               " images");
+        model.texton.means = Array<float>(memory, means, Array<float>::unset);
+        reader.floats(model.texton.means.data(), means);
+    }
+    model.texton.coefficients = read_planes(reader, memory, width, height, planes, images, model);
 }
 
-void read_tile(Reader reader, std::pmr::memory_resource* memory, Model& model)
+void read_bands(Reader& reader, Model& model)
 {
-    demand(model.method == WEFT_METHOD_PICTURE, "a texton's model has a chunk TILE");
+    demand(model.method == WEFT_METHOD_WAVELET, "a chunk BAND is not of the model's method");
+    Wavelet& wavelet = model.wavelet;
+    wavelet.bands = reader.u32();
+    wavelet.knots = reader.u32();
+    const std::uint32_t planes = reader.u32();
+    demand(reader.u32() == 0, "BAND's reserved field is not zero");
+    demand(planes == model.channels, "BAND has ", planes, " planes, the model has ", model.channels, " channels");
+    demand(wavelet.bands >= 1 && wavelet.bands <= most_bands, "BAND has ", wavelet.bands, " bands, not 1..16");
+    demand(wavelet.knots <= most_knots, "BAND has ", wavelet.knots, " knots, more than 32");
+    const std::uint32_t rows = planes + wavelet.bands + 3 * wavelet.knots;
+    demand(reader.remaining() == std::size_t{rows} * planes * 4, "BAND has ", reader.remaining(),
+           " bytes of values, its sizes say ", std::size_t{rows} * planes * 4);
+    const auto read = [&](float(*values)[16], std::uint32_t count) {
+        for (std::uint32_t i = 0; i < count; ++i) reader.floats(values[i], planes);
+    };
+    read(wavelet.axes, planes);
+    read(wavelet.weight, wavelet.bands);
+    read(wavelet.knot_x, wavelet.knots);
+    read(wavelet.knot_y, wavelet.knots);
+    read(wavelet.knot_slope, wavelet.knots);
+}
+
+void read_tile(Reader& reader, std::pmr::memory_resource* memory, Model& model)
+{
+    demand(model.method == WEFT_METHOD_PICTURE, "a chunk TILE is not of the model's method");
     const std::uint32_t width = reader.u32(), height = reader.u32(), planes = reader.u32();
     demand(reader.u32() == 0, "TILE's reserved field is not zero");
-    model.picture = read_planes(reader, memory, width, height, planes, model);
+    model.picture = read_planes(reader, memory, width, height, planes, 1, model);
+}
+
+void read_layer(Chunk& chunk, std::pmr::memory_resource* memory, Model& model)
+{
+    if (chunk.kind == file::splt)
+        read_splat(chunk.payload, memory, model);
+    else if (chunk.kind == file::band)
+        read_bands(chunk.payload, model);
+    else
+        read_tile(chunk.payload, memory, model);
 }
 
 [[noreturn]] void refuse_kind(std::uint32_t kind)
@@ -148,14 +190,12 @@ Model read_model(std::pmr::memory_resource* memory, const unsigned char* bytes, 
     std::uint32_t layers = 0;
     bool ignored = false;
     for (std::uint32_t i = 1; i < header.chunks; ++i) {
-        const Chunk chunk = read_chunk(reader);
-        if (chunk.kind == file::meth || chunk.kind == file::splt || chunk.kind == file::tile) {
+        Chunk chunk = read_chunk(reader);
+        if (chunk.kind == file::meth || chunk.kind == file::splt || chunk.kind == file::band ||
+            chunk.kind == file::tile) {
             demand(!chunk.ignorable && chunk.kind != file::meth, "a chunk is marked as ignorable, or is a second METH");
             demand(layers++ < method.layers, "the model has more layers than METH says");
-            if (chunk.kind == file::splt)
-                read_splat(chunk.payload, memory, model);
-            else
-                read_tile(chunk.payload, memory, model);
+            read_layer(chunk, memory, model);
         } else if (chunk.ignorable) {
             ignored = true;
         } else {

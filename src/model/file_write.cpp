@@ -8,17 +8,21 @@ namespace weft {
 
 namespace {
 
-const Planes& planes_of(const Model& model) noexcept
-{
-    return model.method == WEFT_METHOD_TEXTON ? model.texton.coefficients : model.picture;
-}
-
 std::uint64_t method_length(const Model& model) noexcept { return file::meth_head + std::uint64_t{model.channels} * 4; }
 
 std::uint64_t layer_length(const Model& model) noexcept
 {
-    const std::uint64_t head = model.method == WEFT_METHOD_TEXTON ? file::splt_head : file::tile_head;
-    return head + std::uint64_t{planes_of(model).values.size()} * 4;
+    const std::uint64_t channels = model.channels;
+    const Wavelet& wavelet = model.wavelet;
+    switch (model.method) {
+    case WEFT_METHOD_TEXTON:
+        return file::splt_head +
+               (std::uint64_t{model.texton.means.size()} + model.texton.coefficients.values.size()) * 4;
+    case WEFT_METHOD_WAVELET:
+        return file::band_head + (channels + wavelet.bands + 3 * std::uint64_t{wavelet.knots}) * channels * 4;
+    default:
+        return file::tile_head + std::uint64_t{model.picture.values.size()} * 4;
+    }
 }
 
 void write_header(Writer& file, std::uint64_t size)
@@ -51,6 +55,40 @@ template <class Fill> void write_chunk(Writer& file, std::uint32_t kind, std::ui
     for (std::uint64_t pad = file::padded(length) - length; pad > 0; --pad) *file.skip(1) = 0;
 }
 
+void write_splat(Writer& to, const Model& model)
+{
+    const Texton& texton = model.texton;
+    const Planes& planes = texton.coefficients;
+    for (const std::uint32_t number : {planes.width, planes.height, model.channels, texton.images, texton.taps})
+        to.u32(number);
+    to.f32(texton.model_error);
+    to.u32(0);
+    to.u32(0);
+    to.floats(texton.means.data(), texton.means.size());
+    to.floats(planes.values.data(), planes.values.size());
+}
+
+void write_bands(Writer& to, const Model& model)
+{
+    const Wavelet& wavelet = model.wavelet;
+    for (const std::uint32_t number : {wavelet.bands, wavelet.knots, model.channels, 0U}) to.u32(number);
+    const auto write = [&](const float(*values)[16], std::uint32_t count) {
+        for (std::uint32_t i = 0; i < count; ++i) to.floats(values[i], model.channels);
+    };
+    write(wavelet.axes, model.channels);
+    write(wavelet.weight, wavelet.bands);
+    write(wavelet.knot_x, wavelet.knots);
+    write(wavelet.knot_y, wavelet.knots);
+    write(wavelet.knot_slope, wavelet.knots);
+}
+
+void write_tile(Writer& to, const Model& model)
+{
+    const Planes& planes = model.picture;
+    for (const std::uint32_t number : {planes.width, planes.height, planes.count, 0U}) to.u32(number);
+    to.floats(planes.values.data(), planes.values.size());
+}
+
 } // namespace
 
 std::uint64_t size_of_file(const Model& model) noexcept
@@ -70,21 +108,15 @@ void write_model(const Model& model, unsigned char* bytes, std::size_t size)
         to.u32(0);
         to.floats(model.mean.data(), model.channels);
     });
-    const Planes& planes = planes_of(model);
-    const bool texton = model.method == WEFT_METHOD_TEXTON;
-    write_chunk(file, texton ? file::splt : file::tile, layer_length(model), [&](Writer& to) {
-        to.u32(planes.width);
-        to.u32(planes.height);
-        to.u32(planes.count);
-        if (texton) {
-            to.u32(1);
-            to.u32(model.texton.taps);
-            to.f32(model.texton.model_error);
-            to.u32(0);
-        }
-        to.u32(0);
-        to.floats(planes.values.data(), planes.values.size());
-    });
+    const std::uint64_t length = layer_length(model);
+    switch (model.method) {
+    case WEFT_METHOD_TEXTON:
+        return write_chunk(file, file::splt, length, [&](Writer& to) { write_splat(to, model); });
+    case WEFT_METHOD_WAVELET:
+        return write_chunk(file, file::band, length, [&](Writer& to) { write_bands(to, model); });
+    default:
+        return write_chunk(file, file::tile, length, [&](Writer& to) { write_tile(to, model); });
+    }
 }
 
 } // namespace weft

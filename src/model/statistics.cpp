@@ -1,5 +1,6 @@
 /// Sums over rows side by side, then over the rows in order: the number of threads changes nothing.
 #include "model/statistics.h"
+#include "model/tone.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -51,23 +52,41 @@ double power_of_row(const Planes& alpha, std::uint32_t c, std::uint32_t y, const
     return sum / (b.total * b.total);
 }
 
-/// The sum of row_sum(c, y) over the rows of each plane.
-std::array<double, most_channels> sums_over_rows(const Planes& planes, std::pmr::memory_resource* memory,
-                                                 Parallel& parallel,
+/// The sum of row_sum(c, y) over the rows of each of the first `channels` planes.
+std::array<double, most_channels> sums_over_rows(const Planes& planes, std::uint32_t channels,
+                                                 std::pmr::memory_resource* memory, Parallel& parallel,
                                                  const std::function<double(std::uint32_t, std::uint32_t)>& row_sum)
 {
-    Array<double> rows(memory, std::size_t{planes.count} * planes.height, Array<double>::unset);
+    Array<double> rows(memory, std::size_t{channels} * planes.height, Array<double>::unset);
     const std::uint32_t step = std::max(1U, 65536U / planes.width), tasks = (planes.height + step - 1) / step;
     const auto work = [&](std::uint32_t task) {
         const std::uint32_t end = std::min(planes.height, (task + 1) * step);
-        for (std::uint32_t c = 0; c < planes.count; ++c)
+        for (std::uint32_t c = 0; c < channels; ++c)
             for (std::uint32_t y = task * step; y < end; ++y) rows[std::size_t{c} * planes.height + y] = row_sum(c, y);
     };
     parallel.for_each_index(tasks, std::ref(work));
     std::array<double, most_channels> sums{};
-    for (std::uint32_t c = 0; c < planes.count; ++c)
+    for (std::uint32_t c = 0; c < channels; ++c)
         for (std::uint32_t y = 0; y < planes.height; ++y) sums[c] += rows[std::size_t{c} * planes.height + y];
     return sums;
+}
+
+/// The noise is normal: its moments are those of its principal axes, after their tone curves.
+void add_axes(const Model& model, std::array<double, most_channels>& mean,
+              std::array<double, most_channels>& variance) noexcept
+{
+    const Wavelet& wavelet = model.wavelet;
+    for (std::uint32_t p = 0; p < model.channels; ++p) {
+        double power = 0;
+        for (std::uint32_t b = 0; b < wavelet.bands; ++b)
+            power += static_cast<double>(wavelet.weight[b][p]) * static_cast<double>(wavelet.weight[b][p]);
+        const Tone_moments moments = tone_moments(wavelet, p, power);
+        for (std::uint32_t o = 0; o < model.channels; ++o) {
+            const double axis = static_cast<double>(wavelet.axes[p][o]);
+            mean[o] += axis * moments.mean;
+            variance[o] += axis * axis * moments.variance;
+        }
+    }
 }
 
 } // namespace
@@ -80,8 +99,13 @@ Statistics statistics_of(const Model& model, std::pmr::memory_resource* memory, 
         const Autocorrelation b(model.texton.taps);
         const Planes& alpha = model.texton.coefficients;
         const auto row_power = [&](std::uint32_t c, std::uint32_t y) { return power_of_row(alpha, c, y, b); };
-        variance = sums_over_rows(alpha, memory, parallel, std::ref(row_power));
+        variance = sums_over_rows(alpha, model.channels, memory, parallel, std::ref(row_power));
         result.mean = model.mean;
+    } else if (model.method == WEFT_METHOD_WAVELET) {
+        std::array<double, most_channels> mean{};
+        for (std::uint32_t c = 0; c < model.channels; ++c) mean[c] = static_cast<double>(model.mean[c]);
+        add_axes(model, mean, variance);
+        for (std::uint32_t c = 0; c < model.channels; ++c) result.mean[c] = static_cast<float>(mean[c]);
     } else {
         const Planes& picture = model.picture;
         const auto area = static_cast<double>(picture.area());
@@ -90,7 +114,7 @@ Statistics statistics_of(const Model& model, std::pmr::memory_resource* memory, 
             for (std::uint32_t x = 0; x < picture.width; ++x) sum += static_cast<double>(picture.row(c, y)[x]);
             return sum;
         };
-        const auto sums = sums_over_rows(picture, memory, parallel, std::ref(row_sum));
+        const auto sums = sums_over_rows(picture, model.channels, memory, parallel, std::ref(row_sum));
         const auto row_power = [&](std::uint32_t c, std::uint32_t y) {
             double sum = 0;
             for (std::uint32_t x = 0; x < picture.width; ++x) {
@@ -99,7 +123,7 @@ Statistics statistics_of(const Model& model, std::pmr::memory_resource* memory, 
             }
             return sum;
         };
-        variance = sums_over_rows(picture, memory, parallel, std::ref(row_power));
+        variance = sums_over_rows(picture, model.channels, memory, parallel, std::ref(row_power));
         for (std::uint32_t c = 0; c < picture.count; ++c) {
             variance[c] /= area;
             result.mean[c] = static_cast<float>(sums[c] / area);

@@ -9,7 +9,8 @@ struct Statistics {
     std::array<float, most_channels> mean{}, deviation{};
 };
 
-/// At pixel centres of level 0, per channel. The same on every machine: sums in double, in a fixed order.
+/// At pixel centres of level 0, per channel; of a mixed model those of its first step. The same on every machine: sums
+/// in double, in a fixed order.
 Statistics statistics_of(const Model& model, std::pmr::memory_resource* memory, Parallel& parallel);
 
 } // namespace weft

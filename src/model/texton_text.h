@@ -21,7 +21,7 @@ namespace weft {
 Model read_texton_text(Core& core, const char* text, std::size_t size);
 
 /// Returns the text's length, and writes the text if that is not above `size`. Each number is the shortest that reads
-/// back as the same float. Throws WEFT_ERROR_UNSUPPORTED unless the model is a texton of 1 or 3 channels.
+/// back as the same float. Throws WEFT_ERROR_UNSUPPORTED unless the model is a single texton of 1 or 3 channels.
 std::size_t write_texton_text(const Model& model, char* text, std::size_t size);
 
 } // namespace weft

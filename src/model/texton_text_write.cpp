@@ -58,7 +58,7 @@ void append_model(Text& text, const Model& model) noexcept
 
 std::size_t write_texton_text(const Model& model, char* text, std::size_t size)
 {
-    if (model.method != WEFT_METHOD_TEXTON || (model.channels != 1 && model.channels != 3))
+    if (model.method != WEFT_METHOD_TEXTON || model.texton.images != 1 || (model.channels != 1 && model.channels != 3))
         throw Error(WEFT_ERROR_UNSUPPORTED, "weft_model_save_texton: the model is no texton of 1 or 3 channels");
     Text counted;
     append_model(counted, model);

@@ -1,31 +1,14 @@
 /// Singular values of the Jacobian, probes along the major axis (Galerne et al. 2017, section 5), a level for each.
 #include "synthesis/footprint.h"
+#include "base/elementary.h"
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace weft {
 
 namespace {
 
-/// log2 of a normal x >= 1, exact for powers of two: exponent, and a series in (m - 1) / (m + 1) for the mantissa.
-double log2_of(double x) noexcept
-{
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof bits);
-    auto exponent = static_cast<int>(bits >> 52) - 1023;
-    bits = (bits & 0x000fffffffffffffU) | 0x3ff0000000000000U;
-    double m;
-    std::memcpy(&m, &bits, sizeof m);
-    if (m > 1.4142135623730951) {
-        m *= 0.5;
-        ++exponent;
-    }
-    const double s = (m - 1) / (m + 1), s2 = s * s;
-    const double series =
-        1 + s2 * (1.0 / 3 + s2 * (1.0 / 5 + s2 * (1.0 / 7 + s2 * (1.0 / 9 + s2 * (1.0 / 11 + s2 * (1.0 / 13))))));
-    return exponent + 2.8853900817779268 * s * series;
-}
+constexpr double most_scale = 1073741824.0; // 2^30, the last level
 
 struct Axes {
     double longer, shorter; ///< singular values of the Jacobian
@@ -68,9 +51,21 @@ weft_spot spot_at(double x, double y, float level) noexcept
 
 bool is_good(const weft_point& point) noexcept
 {
-    constexpr double most = 4503599627370496.0;
-    return std::abs(point.x) < most && std::abs(point.y) < most && std::isfinite(point.dx[0]) &&
+    return std::abs(point.x) < most_coordinate && std::abs(point.y) < most_coordinate && std::isfinite(point.dx[0]) &&
            std::isfinite(point.dx[1]) && std::isfinite(point.dy[0]) && std::isfinite(point.dy[1]);
+}
+
+weft_spot spot_in_space(const double* position, float level) noexcept
+{
+    weft_spot spot{};
+    for (int axis = 0; axis < 3; ++axis) place(position[axis], spot.cell[axis], spot.fraction[axis]);
+    spot.level = level;
+    return spot;
+}
+
+float level_of(float width) noexcept
+{
+    return width > 1 ? static_cast<float>(log2_of(std::min(static_cast<double>(width), most_scale))) : 0.0F;
 }
 
 std::uint32_t make_spots(const weft_point& point, weft_spot* spots) noexcept
@@ -80,7 +75,6 @@ std::uint32_t make_spots(const weft_point& point, weft_spot* spots) noexcept
         spots[0] = spot_at(point.x, point.y, 0);
         return 1;
     }
-    constexpr double most_scale = 1073741824.0; // 2^30, the last level
     const double probes = std::min<double>(most_probes, std::ceil(axes.longer / std::max(axes.shorter, 1.0)));
     const double scale = std::min(std::max({1.0, axes.shorter, axes.longer / probes}), most_scale);
     const auto level = static_cast<float>(log2_of(scale));

@@ -9,13 +9,13 @@ namespace weft {
 
 namespace {
 
-void publish(Mip_chain& chain, const Planes& zero, std::uint32_t levels) noexcept
+void publish(Mip_chain& chain, const Planes& zero, std::uint32_t images, std::uint32_t levels) noexcept
 {
     chain.mips.size = sizeof chain.mips;
     chain.mips.width = zero.width;
     chain.mips.height = zero.height;
-    chain.mips.planes = zero.count;
-    chain.mips.images = 1;
+    chain.mips.planes = zero.count / images;
+    chain.mips.images = images;
     chain.mips.levels = levels;
     chain.mips.level = chain.level;
     for (std::uint32_t l = 0; l < levels; ++l) {
@@ -113,20 +113,20 @@ void make_picture_mips(Mip_chain& chain, const Planes& picture, std::pmr::memory
         fine = &coarse;
         ++levels;
     }
-    publish(chain, picture, levels);
+    publish(chain, picture, 1, levels);
 }
 
-void make_texton_mips(Mip_chain& chain, const Texton& texton, double scale, double rate,
-                      std::pmr::memory_resource* memory, Parallel& parallel)
+void make_texton_mips(Mip_chain& chain, const Texton& texton, std::uint32_t images, double scale, double rate,
+                      std::uint32_t most, std::pmr::memory_resource* memory, Parallel& parallel)
 {
     constexpr double unseen = 1.0 / 2048; // of the range of colours
     constexpr double most_impacts = 8192; // a sample: beyond, a window takes minutes
     const Planes& alpha = texton.coefficients;
-    chain.own[0] = Planes(memory, alpha.width, alpha.height, alpha.count, Array<float>::unset);
-    for (std::size_t i = 0; i < alpha.values.size(); ++i)
+    chain.own[0] = Planes(memory, alpha.width, alpha.height, alpha.count / texton.images * images, Array<float>::unset);
+    for (std::size_t i = 0; i < chain.own[0].values.size(); ++i)
         chain.own[0].values[i] = static_cast<float>(static_cast<double>(alpha.values[i]) * scale);
     std::uint32_t levels = 1;
-    for (; levels < most_levels; ++levels) {
+    for (; levels < most; ++levels) {
         const Planes& fine = chain.own[levels - 1];
         if (fine.width == 1 && fine.height == 1) {
             const Reach next = reach_of(fine, rate, levels - 1, texton.taps);
@@ -134,7 +134,7 @@ void make_texton_mips(Mip_chain& chain, const Texton& texton, double scale, doub
         }
         chain.own[levels] = coarser(fine, texton.taps, levels == 1, memory, parallel);
     }
-    publish(chain, chain.own[0], levels);
+    publish(chain, chain.own[0], images, levels);
 }
 
 } // namespace weft

@@ -22,9 +22,9 @@ struct Mip_chain {
 /// Of a picture, which is a torus: areas of about 2^l texels a side averaged, down to 1 x 1. Level 0 is borrowed.
 void make_picture_mips(Mip_chain& chain, const Planes& picture, std::pmr::memory_resource* memory, Parallel& parallel);
 
-/// Of a texton, which is 0 outside, times `scale`; `rate` is that of its impacts. Ends where the noise is no longer
-/// seen.
-void make_texton_mips(Mip_chain& chain, const Texton& texton, double scale, double rate,
-                      std::pmr::memory_resource* memory, Parallel& parallel);
+/// Of the first `images` of a texton, which is 0 outside, times `scale`; `rate` is that of its impacts. Ends where the
+/// noise is no longer seen, or after `most` levels.
+void make_texton_mips(Mip_chain& chain, const Texton& texton, std::uint32_t images, double scale, double rate,
+                      std::uint32_t most, std::pmr::memory_resource* memory, Parallel& parallel);
 
 } // namespace weft

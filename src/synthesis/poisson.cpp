@@ -1,19 +1,9 @@
 /// Poisson thresholds, by the recurrence of the probabilities.
 #include "synthesis/poisson.h"
+#include "base/elementary.h"
 #include <cmath>
 
 namespace weft {
-
-double exponential_of_minus(double x) noexcept
-{
-    constexpr double ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b3ap-40; // high * n is exact for n < 2^13
-    const auto halvings = static_cast<int>(x / (ln2_high + ln2_low) + 0.5);
-    const double r = (x - halvings * ln2_high) - halvings * ln2_low; // |r| <= ln 2 / 2
-    double sum = 1;
-    for (int k = 18; k > 0; --k) sum = 1 - r * sum / k;
-    for (int i = 0; i < halvings; ++i) sum *= 0.5;
-    return sum;
-}
 
 Array<std::uint32_t> poisson_thresholds(std::pmr::memory_resource* memory, double mean)
 {
@@ -45,6 +35,23 @@ std::uint32_t choose_cell_log2(double rate, double width, double height, std::ui
         if (log2 > 0 && rate * edge * edge > most_mean) break;
         if ((period_x != 0 && edge >= 2.0 * period_x) || (period_y != 0 && edge >= 2.0 * period_y)) break;
         const double area = (width + edge) * (height + edge), cost = cell_cost * area / (edge * edge) + area * rate;
+        if (log2 == 0 || cost < least) {
+            best = log2;
+            least = cost;
+        }
+    }
+    return best;
+}
+
+std::uint32_t choose_cell_log2_in_space(double rate, double side) noexcept
+{
+    constexpr double cell_cost = 2, diagonal = 1.7320508075688772;
+    std::uint32_t best = 0;
+    double least = 0;
+    for (std::uint32_t log2 = 0; log2 <= 15; ++log2) {
+        const double edge = static_cast<double>(1U << log2), reach = diagonal * side + edge;
+        if (log2 > 0 && rate * edge * edge * edge > most_mean) break;
+        const double volume = reach * reach * reach, cost = cell_cost * volume / (edge * edge * edge) + volume * rate;
         if (log2 == 0 || cost < least) {
             best = log2;
             least = cost;

@@ -5,9 +5,6 @@
 
 namespace weft {
 
-/// e^-x for 0 <= x <= 700, from + - * alone: the same bits with every compiler and C library.
-double exponential_of_minus(double x) noexcept;
-
 /// Thresholds for Poisson counts of mean 0 < `mean` <= most_mean: a count is how many of them a uniform 32-bit number
 /// reaches. Ascending, 1 to 255 of them; the tail that is cut off has a probability below 2^-32.
 constexpr double most_mean = 96;
@@ -17,5 +14,9 @@ Array<std::uint32_t> poisson_thresholds(std::pmr::memory_resource* memory, doubl
 /// width x height pixels. Cells hold at most most_mean impacts, and are not much larger than the period (0: none).
 std::uint32_t choose_cell_log2(double rate, double width, double height, std::uint32_t period_x,
                                std::uint32_t period_y) noexcept;
+
+/// The same in space: impacts of `rate` per pixel cubed, from within half a `side` along each axis of a frame turned
+/// any way.
+std::uint32_t choose_cell_log2_in_space(double rate, double side) noexcept;
 
 } // namespace weft

@@ -1,41 +1,61 @@
 /// Model + options -> weft_program: layers only, and all the data that they point to.
 #pragma once
 #include "base/core.h"
+#include "synthesis/band_lattices.h"
 #include "synthesis/mips.h"
+#include <optional>
 
 namespace weft {
 
-/// Options of weft_texture_create, defaults filled in, checked against the model; errors name weft_texture_create.
+/// Checks the options of weft_texture_create against the model, and fills in defaults but for the impacts, whose
+/// default depends on the use.
 weft_texture_options complete_options(const Model& model, weft_texture_options options);
 
 /// Stays where it was made: it points into itself, and into the model.
 class Program {
 public:
-    Program(Core& core, const Model& model, const weft_texture_options& options);
+    enum Positions { in_plane, in_space };
+
+    /// options.mix is only looked at here, and only in the plane. In space there are textons and wavelet noise.
+    Program(Core& core, const Model& model, const weft_texture_options& options, Positions positions);
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
-    const weft_program& window() const noexcept { return window_; }
-    const weft_program& points() const noexcept { return points_; }
+    std::uint32_t channels() const noexcept { return channels_; }
+    const weft_program& window() const noexcept { return program_; } ///< in_plane
+    const weft_program& points() const noexcept { return points_; }  ///< in_plane
+    const weft_program& space() const noexcept { return program_; }  ///< in_space: WEFT_USE_SURFACE or WEFT_USE_SOLID
 
 private:
     static constexpr std::uint32_t most_layers = 16;
+    struct Kernels;
+    void add_textons(Core& core, const Texton& texton, const weft_texture_options& options, const Kernels& kernels);
     void add_texton(Core& core, const Texton& texton, const weft_texture_options& options);
+    void add_surface(Core& core, const Texton& texton, const weft_texture_options& options);
+    void add_mix(Core& core, const Texton& texton, const weft_texture_options& options);
+    void add_map(Core& core, const weft_texture_options& options);
+    void add_bands(Core& core, const Wavelet& wavelet, const weft_texture_options& options, Positions positions);
+    void add_tones(Core& core, const Wavelet& wavelet);
     void add_picture(Core& core, const Planes& picture, const weft_texture_options& options);
-    void add_layer(weft_layer_kind kind, const float* mean);
-    void publish(const weft_texture_options& options);
+    weft_layer& add_layer(weft_layer_kind kind, const float* mean);
+    void publish(const weft_texture_options& options, weft_use use);
 
     std::uint32_t channels_, layer_count_ = 0;
-    weft_program window_{}, points_{};
+    weft_program program_{}, points_{};
     weft_layer layers_[most_layers]{};
     const weft_layer* order_[most_layers]{};
     float identity_[most_channels * most_channels]{}, mean_[most_channels]{}, nothing_[most_channels]{};
 
     weft_splat splat_{};
     weft_tile tile_{};
-    Mip_chain mips_;
+    Mip_chain mips_, map_mips_;
+    Planes map_;
     Array<std::uint32_t> counts_;
     float offset_[most_channels]{};
+    float colour_[most_channels * most_channels]{}; ///< of the map's plane; of principal axes
+    std::optional<Band_lattices> lattices_;
+    Array<weft_tone> tones_;
+    Array<weft_piece> pieces_;
 };
 
 } // namespace weft

@@ -10,12 +10,10 @@ namespace weft {
 namespace {
 
 constexpr char function[] = "weft_texture_sample";
-constexpr std::uint32_t small_batch = 64; ///< spots that fit the stack of any thread
 
 [[noreturn]] void refuse(std::size_t i, const weft_point& point)
 {
-    constexpr double most = 4503599627370496.0;
-    const bool x = std::abs(point.x) < most, y = std::abs(point.y) < most;
+    const bool x = std::abs(point.x) < most_coordinate, y = std::abs(point.y) < most_coordinate;
     if (!x || !y)
         throw Error(WEFT_ERROR_ARGUMENT, function, ": points[", i, "].", x ? "y is " : "x is ", x ? point.y : point.x,
                     ", not within 2^52");
@@ -67,32 +65,6 @@ private:
     const std::uint32_t channels_;
 };
 
-/// A room of the pool for large counts, if one is free; else the stack.
-class Room {
-public:
-    Room(const Scratch_pool& pool, std::size_t count) noexcept
-        : pool_(pool), number_(count > small_batch - most_probes ? pool.take() : -1)
-    {
-    }
-    ~Room()
-    {
-        if (number_ >= 0) pool_.give(number_);
-    }
-    Room(const Room&) = delete;
-    Room& operator=(const Room&) = delete;
-    Scratch scratch() noexcept
-    {
-        return number_ >= 0 ? pool_[number_] : Scratch{spots_, results_, probes_, small_batch};
-    }
-
-private:
-    const Scratch_pool& pool_;
-    const std::int32_t number_;
-    weft_spot spots_[small_batch];
-    float results_[small_batch * most_channels];
-    std::uint8_t probes_[small_batch];
-};
-
 } // namespace
 
 void Texture::sample(std::size_t count, const weft_point* points, float* out) const
@@ -101,7 +73,7 @@ void Texture::sample(std::size_t count, const weft_point* points, float* out) co
     require(count == 0 || out, function, ": out is NULL");
     for (std::size_t i = 0; i < count; ++i)
         if (!is_good(points[i])) refuse(i, points[i]);
-    Room room(scratch_, count);
+    Room room(scratch_, count + most_probes); // a point may make so many
     Batches batches(points_, room.scratch(), channels());
     while (count > 0) {
         const std::size_t done = batches.run(count, points, out);

@@ -69,20 +69,26 @@ private:
     Clock::time_point begin_ = Clock::now();
 };
 
+weft_texture_options without_map(weft_texture_options options) noexcept
+{
+    options.mix = nullptr;
+    return options;
+}
+
 } // namespace
 
 Texture::Texture(Core& core, Device& device, const Model& model, const weft_texture_options& options)
-    : core_(core), program_(core, model, options)
+    : core_(core), device_(device), model_(model), options_(without_map(options)), mixed_(options.mix),
+      program_(core, model, options, Program::in_plane)
 {
-    open(window_, device, program_.window());
-    open(points_, device, program_.points());
+    open(window_, program_.window(), "weft_texture_create");
+    open(points_, program_.points(), "weft_texture_create");
     scratch_ = Scratch_pool(&core.memory, points_.device().limits().batch, channels());
 }
 
-void Texture::open(Opened& opened, Device& device, const weft_program& program)
+void Texture::open(Opened& opened, const weft_program& program, const char* function) const
 {
-    constexpr char function[] = "weft_texture_create";
-    if (opened.open(device, program, function)) return;
+    if (opened.open(device_, program, function)) return;
     if (!scalar_) scalar_.emplace(core_.memory, Registry::instance().scalar(), function);
     if (!opened.open(*scalar_, program, function))
         throw Error(WEFT_ERROR_INTERNAL, function, ": scalar refused the program");
