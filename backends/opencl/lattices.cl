@@ -10,28 +10,35 @@ static weft_u32 lattice_index(weft_i64 cell, weft_u32 shift, weft_u32 size)
     return weft_band_index(cell, shift, size);
 }
 
-/* Of an axis: the finer coefficients are near * a + far * b, the middle one, near * b + far * c. */
+/* Of an axis: the finer coefficients are near * a + far * b, the middle one, near * b + far * c. The middle one is 3/4 b
+ * and 1/4 of c where `odd` is -1, else of a: without branches, which no processor could foretell. */
 typedef struct Parity {
     float near, far;
-    weft_u32 odd;
+    int4 odd;
 } Parity;
 
-static Parity parity_of(weft_i64 cell)
+static inline Parity parity_of(weft_i64 cell)
 {
+    const weft_i32 bit = (weft_i32)(cell & 1);
     Parity parity;
-    parity.odd = (weft_u32)(cell & 1);
-    parity.near = parity.odd ? 0.25f : 0.75f;
-    parity.far = parity.odd ? 0.75f : 0.25f;
+    parity.near = 0.75f - 0.5f * (float)bit;
+    parity.far = 0.25f + 0.5f * (float)bit;
+    parity.odd = -bit;
     return parity;
 }
 
+typedef struct Nine {
+    float4 a, b, c;
+} Nine;
+
 /* weft_refine_even and weft_refine_odd of three rows; two terms may be added in either order. */
-static inline void refine_lines(float4* c, Parity parity)
+static inline Nine refine_lines(Nine n, Parity parity)
 {
-    const float4 middle = 0.75f * c[1] + 0.25f * (parity.odd ? c[2] : c[0]);
-    c[0] = parity.near * c[0] + parity.far * c[1];
-    c[2] = parity.near * c[1] + parity.far * c[2];
-    c[1] = middle;
+    Nine to;
+    to.a = parity.near * n.a + parity.far * n.b;
+    to.b = 0.75f * n.b + 0.25f * select(n.a, n.c, parity.odd);
+    to.c = parity.near * n.b + parity.far * n.c;
+    return to;
 }
 
 /* The same within a row. */
@@ -39,7 +46,7 @@ static inline float4 refine_lanes(float4 v, Parity parity)
 {
     const float4 near = (float4)(parity.near, 0.25f, parity.near, 0.0f);
     const float4 far = (float4)(parity.far, 0.75f, parity.far, 0.0f);
-    return near * (parity.odd ? v.xzyw : v.xxyw) + far * v.yyzw;
+    return near * select(v.xxyw, v.xzyw, parity.odd) + far * v.yyzw;
 }
 
 /* The cell of a band that a sample lies in. */
@@ -79,20 +86,24 @@ static float bands_at(global const LayerLayout* layer, global const LatticeLayou
     const weft_between between = weft_level(at.level);
     const weft_u32 level = (weft_u32)between.whole;
     if (level >= layer->levels) return 0.0f;
-    float4 c[3] = {0.0f, 0.0f, 0.0f};
+    Nine n = {0.0f, 0.0f, 0.0f};
     for (weft_u32 band = layer->levels; band-- > level;) {
         global const LatticeLayout* lattice = lattices + layer->first_level + band * layer->planes + plane;
         const Position cell = cell_of(at, band);
         const Parity x = parity_of(cell.x);
-        refine_lines(c, parity_of(cell.y));
-        for (weft_u32 i = 0; i < 3; ++i) c[i] = refine_lanes(c[i], x);
+        n = refine_lines(n, parity_of(cell.y));
+        n.a = refine_lanes(n.a, x);
+        n.b = refine_lanes(n.b, x);
+        n.c = refine_lanes(n.c, x);
         if (!lattice->present) continue;
         global const float* from = coefficients_of(lattice, coefficients, cell);
         const float weight = lattice_weight(lattice, band, between);
-        for (weft_u32 i = 0; i < 3; ++i) c[i] = weight * vload4(0, from + i * lattice->row) + c[i];
+        n.a = weight * vload4(0, from) + n.a;
+        n.b = weight * vload4(0, from + lattice->row) + n.b;
+        n.c = weight * vload4(0, from + 2 * lattice->row) + n.c;
     }
     const weft_quadratic x = quadratic_at(at.x, at.fraction_x, level), y = quadratic_at(at.y, at.fraction_y, level);
-    return weft_quadratic_sum(y.w0, y.w1, y.w2, sum_lanes(x, c[0]), sum_lanes(x, c[1]), sum_lanes(x, c[2]));
+    return weft_quadratic_sum(y.w0, y.w1, y.w2, sum_lanes(x, n.a), sum_lanes(x, n.b), sum_lanes(x, n.c));
 }
 
 kernel __attribute__((reqd_work_group_size(64, 1, 1))) void

@@ -9,10 +9,12 @@ static float4 sum_lines(weft_quadratic w, float4 a, float4 b, float4 c) { return
 static float4 sum_columns(global const LatticeLayout* lattice, global const float* from, weft_quadratic y,
                           weft_quadratic z)
 {
-    float4 u[3];
-    for (weft_u32 i = 0; i < 3; ++i, from += lattice->row)
-        u[i] = sum_lines(z, vload4(0, from), vload4(0, from + lattice->slice), vload4(0, from + 2 * lattice->slice));
-    return sum_lines(y, u[0], u[1], u[2]);
+    const size_t slice = lattice->slice;
+    global const float* second = from + lattice->row;
+    global const float* third = second + lattice->row;
+    return sum_lines(y, sum_lines(z, vload4(0, from), vload4(0, from + slice), vload4(0, from + 2 * slice)),
+                     sum_lines(z, vload4(0, second), vload4(0, second + slice), vload4(0, second + 2 * slice)),
+                     sum_lines(z, vload4(0, third), vload4(0, third + slice), vload4(0, third + 2 * slice)));
 }
 
 /* f of one plane. */
