@@ -52,10 +52,21 @@ void set_reach(std::uint32_t taps, std::uint32_t whole, std::int64_t first, std:
     after = static_cast<weft_i32>((half - first) * unit + 1);
 }
 
-weft_u32 splat_form(weft_use use, bool rows, const weft_splat& splat)
+/// Images that may be shown.
+std::uint32_t shown_images(const weft_splat& splat) { return splat.choice.layer < 0 ? 1 : splat.textons->images; }
+
+/// Impacts in a band's list say in 31 bits where their texels are.
+bool fits_lists(const weft_splat& splat, std::uint32_t planes)
+{
+    const weft_mips& mips = *splat.textons;
+    const std::uint64_t frame = 2 * (WEFT_BLOCK_COLUMNS + 8);
+    return (mips.width + frame) * (mips.height + frame) * planes * shown_images(splat) < INT32_MAX;
+}
+
+weft_u32 splat_form(weft_use use, bool rows, const weft_splat& splat, std::uint32_t planes)
 {
     if (use == WEFT_USE_SURFACE) return WEFT_SURFACE_GATHER;
-    return rows && splat.choice.layer < 0 ? WEFT_SPLAT_BANDS : WEFT_SPLAT_GATHER;
+    return rows && fits_lists(splat, planes) ? WEFT_SPLAT_BANDS : WEFT_SPLAT_GATHER;
 }
 
 weft_u32 bands_form(weft_use use, bool rows)
@@ -98,7 +109,7 @@ void Tables::add_layer(const weft_layer& layer, bool rows)
     to.choice_layer = to.mask_slot = to.tones = WEFT_NONE;
     if (layer.kind == WEFT_LAYER_SPLAT) {
         to.key = weft_key(program.seed, layer.stream, WEFT_TAG_IMPACTS);
-        to.form = splat_form(program.use, rows, *layer.splat);
+        to.form = splat_form(program.use, rows, *layer.splat, layer.planes);
         add_splat(*layer.splat, to);
     } else if (layer.kind == WEFT_LAYER_BANDS) {
         to.form = bands_form(program.use, rows);
@@ -117,7 +128,7 @@ void Tables::add_splat(const weft_splat& splat, LayerLayout& to)
     to.cell_log2 = splat.cell_log2;
     to.count_limit = splat.count_limit;
     to.signs = splat.signs;
-    to.images = splat.textons->images;
+    to.images = shown_images(splat);
     to.size_x = splat.textons->width;
     to.size_y = splat.textons->height;
     to.choice_layer = layer_of(splat.choice);
@@ -160,12 +171,9 @@ void Tables::add_levels(const weft_mips& mips, LayerLayout& to)
         level.frame_y = frame_y;
         level.frame_x = bands ? WEFT_BLOCK_COLUMNS : frame;
         level.plane_step = level.stride * (mip.height + 2 * frame_y) + (bands ? WEFT_BLOCK_COLUMNS : 0);
-        if (bands) {
-            texel_count += (std::uint64_t{to.planes} * level.plane_step + 3) / 4;
-        } else {
-            level.image_step = level.plane_step * groups(to.planes);
-            texel_count += std::uint64_t{level.plane_step} * groups(to.planes) * mips.images;
-        }
+        level.image_step = level.plane_step * (bands ? to.planes : groups(to.planes));
+        const std::uint64_t size = std::uint64_t{level.image_step} * to.images;
+        texel_count += bands ? (size + 3) / 4 : size;
         if (to.form == WEFT_SURFACE_GATHER) {
             level.reach = weft_surface_reach(weft_surface_extent(to.size_x, mip.x, mip.width, to.taps, i),
                                              weft_surface_extent(to.size_y, mip.y, mip.height, to.taps, i),
@@ -238,11 +246,10 @@ void Tables::fill_texels(float* texels) const
 void Tables::fill_mips(const weft_mips& mips, const LayerLayout& layer, float* texels) const
 {
     const std::uint32_t lanes = layer.form == WEFT_SPLAT_BANDS ? 1 : 4;
-    const std::uint32_t images = layer.form == WEFT_SPLAT_BANDS ? 1 : mips.images;
     for (std::uint32_t l = 0; l < mips.levels; ++l) {
         const LevelLayout& level = levels[layer.first_level + l];
         const float* from = mips.level[l].data;
-        for (std::uint32_t plane = 0; plane < images * layer.planes; ++plane) {
+        for (std::uint32_t plane = 0; plane < layer.images * layer.planes; ++plane) {
             const std::uint32_t image = plane / layer.planes, p = plane % layer.planes;
             const std::size_t start = std::size_t{level.image_step} * image +
                                       std::size_t{level.plane_step} * (p / lanes) +

@@ -201,7 +201,7 @@ void Texture::evaluate(Workspace& work, const SamplesLayout& samples, const weft
         const LayerLayout& layer = tables_.layers[i];
         SumsLayout blocks = {};
         if (layer.form == WEFT_SPLAT_BANDS)
-            blocks = splat_bands(work, layer, *window);
+            blocks = splat_bands(work, i, *window);
         else
             gather(work, samples, i, field);
         const cl_mem sums = work.sums.get(device_.context, sizeof(float));
@@ -255,13 +255,15 @@ cl_mem Texture::send(Workspace& work, Scratch& scratch, const void* data, std::s
     return buffer;
 }
 
-SumsLayout Texture::splat_bands(Workspace& work, const LayerLayout& layer, const weft_window& window)
+SumsLayout Texture::splat_bands(Workspace& work, weft_u32 index, const weft_window& window)
 {
+    const LayerLayout& layer = tables_.layers[index];
+    const Choice choice(tables_.program, *tables_.program.layers[index]->splat);
     SumsLayout blocks = {};
     blocks.level = window.level;
     if (window.level >= layer.levels) return blocks; // layer_sum takes f = 0
     blocks.index = layer.first_level + window.level;
-    work.impacts.collect(layer, tables_.levels[blocks.index], tables_.words.data() + layer.counts, window);
+    work.impacts.collect(layer, tables_.levels[blocks.index], tables_.words.data() + layer.counts, choice, window);
     const auto& list = work.impacts.list();
     const auto& begins = work.impacts.bands();
     const cl_mem impacts = send(work, work.lists, list.data(), list.size() * sizeof list[0]);

@@ -27,7 +27,7 @@ private:
     void evaluate(Workspace& work, const SamplesLayout& samples, const weft_window* window, cl_mem out,
                   const ResultLayout& result);
     void gather(Workspace& work, const SamplesLayout& samples, weft_u32 index, cl_mem field);
-    SumsLayout splat_bands(Workspace& work, const LayerLayout& layer, const weft_window& window);
+    SumsLayout splat_bands(Workspace& work, weft_u32 index, const weft_window& window);
     cl_mem send(Workspace& work, Scratch& scratch, const void* data, std::size_t bytes);
     bool too_large(const weft_window& window) const;
     Buffer upload(const void* data, std::size_t bytes);
