@@ -7,7 +7,7 @@
 
 namespace weft {
 
-constexpr uint32_t most_bands = 24, most_spots = 4;
+constexpr uint32_t most_bands = 24, most_spots = 4, most_planes = 40;
 
 /// One level of textons, laid out for a table's kernels. Texels within `data` but outside width x height are zero.
 struct Texels {

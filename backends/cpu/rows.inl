@@ -22,6 +22,7 @@ namespace {
 
 #include "bands_gather.inl"
 #include "bands_rows.inl"
+#include "bands_solid.inl"
 #include "splat_gather.inl"
 #include "surface_gather.inl"
 #endif

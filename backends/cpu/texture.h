@@ -14,7 +14,7 @@ struct weft_backend_device {
 
 namespace weft {
 
-constexpr uint32_t most_layers = 32, most_planes = 40, most_levels = 15;
+constexpr uint32_t most_layers = 32, most_levels = 15;
 
 /// Which plane of a TILE decides on the texton of an impact.
 struct Choice {
