@@ -27,6 +27,10 @@ static inline weft_impact_axis weft_impact_at(weft_u32 z, weft_u32 cell_log2)
 
 static inline float weft_impact_sign(weft_u64 z, weft_u32 signs) { return (weft_u32)(z & signs) != 0 ? -1.0f : 1.0f; }
 
+/* Where an impact at `pixel` asks which of its layer's textons it shows, of `size` at level 0: at their middle, as its
+ * own pixel is their corner, and what a map says of a place is to be seen around it. */
+static inline weft_i64 weft_choice_pixel(weft_i64 pixel, weft_u32 size) { return pixel + (weft_i64)(size >> 1); }
+
 /* Which of `images` textons a value of the choice's plane means. */
 static inline weft_u32 weft_choose(float value, weft_u32 images)
 {

@@ -132,7 +132,7 @@ void refer_to_textons(Layer& layer)
 uint32_t choose(const void* choice, int64_t x, int64_t y)
 {
     const Choice& c = *static_cast<const Choice*>(choice);
-    const int64_t pixel[2] = {x, y};
+    const int64_t pixel[2] = {weft_choice_pixel(x, c.width), weft_choice_pixel(y, c.height)};
     const uint32_t centre[2] = {WEFT_FRACTION_HALF, WEFT_FRACTION_HALF};
     float value;
     tile_point(*c.tile, pixel, centre, 0.0f, c.plane, 1, &value);
@@ -178,8 +178,10 @@ bool open_splat(weft_backend_texture& texture, Layer& layer)
     if (splat.choice.layer >= 0) {
         const Layer& chosen = texture.layers[splat.choice.layer];
         const bool toned = chosen.source->tones && splat.choice.plane < chosen.source->channels;
-        layer.choice = {texture.rows, &chosen.tile, toned ? chosen.source->tones + splat.choice.plane : nullptr,
-                        splat.choice.plane, splat.textons->images};
+        layer.choice = {
+            texture.rows,         &chosen.tile,          toned ? chosen.source->tones + splat.choice.plane : nullptr,
+            splat.choice.plane,   splat.textons->images, splat.textons->width,
+            splat.textons->height};
         layer.splat.choose = choose;
         layer.splat.choice = &layer.choice;
     }

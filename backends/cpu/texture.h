@@ -22,6 +22,7 @@ struct Choice {
     const Tile* tile;
     const weft_tone* tone; ///< null: none
     uint32_t plane, images;
+    uint32_t width, height; ///< of the layer's textons
 };
 
 /// A layer, prepared. `splat`, `bands` or `tile` is filled, after its kind.

@@ -77,9 +77,10 @@ typedef struct LayerLayout {
     weft_u32 period_x, period_y, period_z;
     weft_u32 size_x, size_y; /* SPLAT: of the textons at level 0 */
     weft_u32 taps, cell_log2, count_limit, signs, images;
-    weft_u32 counts;                     /* where in words */
-    weft_u32 offset;                     /* where in numbers, four by four */
-    weft_u32 choice_layer, choice_plane; /* layer WEFT_NONE: none */
+    weft_u32 counts;                      /* where in words */
+    weft_u32 offset;                      /* where in numbers, four by four */
+    weft_u32 choice_layer, choice_plane;  /* layer WEFT_NONE: none */
+    weft_u32 texton_width, texton_height; /* SPLAT, level 0 */
     GridLayout grid_x, grid_y;
     float level;                     /* TILE: added */
     weft_u32 mask_layer, mask_plane; /* layer WEFT_NONE: none */

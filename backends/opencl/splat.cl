@@ -43,7 +43,7 @@ static void add_spline(float4* sum, global const float4* texel, weft_u32 stride,
     }
 }
 
-/* Which image an impact shows: a plane of an earlier TILE, at the centre of the impact's own pixel. */
+/* Which image an impact shows: a plane of an earlier TILE, at the middle of its texton. */
 static weft_u32 chosen_image(global const LayerLayout* layers, global const LayerLayout* layer,
                              global const LevelLayout* levels, global const float4* texels,
                              global const weft_u32* words, global const float* numbers, weft_i64 x, weft_i64 y)
@@ -51,8 +51,8 @@ static weft_u32 chosen_image(global const LayerLayout* layers, global const Laye
     global const LayerLayout* tile = layers + layer->choice_layer;
     const weft_u32 plane = layer->choice_plane;
     Position at;
-    at.x = x;
-    at.y = y;
+    at.x = weft_choice_pixel(x, layer->texton_width);
+    at.y = weft_choice_pixel(y, layer->texton_height);
     at.fraction_x = at.fraction_y = WEFT_FRACTION_HALF;
     at.level = 0.0f;
     const float4 f = tile_at(tile, levels, texels, at, plane / 4);

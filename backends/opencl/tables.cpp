@@ -133,6 +133,8 @@ void Tables::add_splat(const weft_splat& splat, LayerLayout& to)
     to.size_y = splat.textons->height;
     to.choice_layer = layer_of(splat.choice);
     to.choice_plane = splat.choice.plane;
+    to.texton_width = splat.textons->width;
+    to.texton_height = splat.textons->height;
     to.counts = static_cast<weft_u32>(words.size());
     words.insert(words.end(), splat.counts, splat.counts + splat.count_limit);
     to.offset = static_cast<weft_u32>(numbers.size());

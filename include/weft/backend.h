@@ -106,7 +106,7 @@ typedef struct weft_splat {
   uint32_t count_limit;   /* most impacts in one cell: 1..255 */
   const uint32_t *counts; /* count_limit thresholds, ascending: a cell has as many impacts as its hash reaches of them */
   uint32_t signs;         /* 1: each impact has a random sign */
-  weft_ref choice;        /* TILE without displacement: image floor(value * images) for an impact, by its own pixel */
+  weft_ref choice;        /* TILE without displacement: image floor(value * images) for an impact, at its texton's middle */
   uint32_t zero;
   const weft_mips *textons; /* 0 outside */
   const float *offset;    /* planes: added to the sum, never -0; beyond the last level f is 0 */
