@@ -21,7 +21,7 @@ float tone(float v, const weft_tone& curve) noexcept
 } // namespace
 
 Choice::Choice(const weft_program& program, const weft_splat& splat) noexcept
-    : program_(program), plane_(splat.choice.plane), images_(splat.textons->images)
+    : program_(program), textons_(*splat.textons), plane_(splat.choice.plane)
 {
     if (splat.choice.layer < 0) return;
     const weft_layer& layer = *program.layers[splat.choice.layer];
@@ -45,11 +45,11 @@ weft_u32 Choice::image(weft_i64 x, weft_i64 y) const noexcept
 {
     if (!tile_) return 0;
     const weft_between between = weft_tile_level(0.0f, tile_->level, tile_->source->levels);
-    const weft_place at_x = locate(x, program_.period[0], tile_->x, tile_->width),
-                     at_y = locate(y, program_.period[1], tile_->y, tile_->height);
+    const weft_place at_x = locate(weft_choice_pixel(x, textons_.width), program_.period[0], tile_->x, tile_->width),
+                     at_y = locate(weft_choice_pixel(y, textons_.height), program_.period[1], tile_->y, tile_->height);
     float v = tile_level(at_x, at_y, between.whole);
     if (between.t > 0.0f) v = weft_lerp(v, tile_level(at_x, at_y, between.whole + 1), between.t);
-    return weft_choose(tone_ ? tone(v, *tone_) : v, images_);
+    return weft_choose(tone_ ? tone(v, *tone_) : v, textons_.images);
 }
 
 } // namespace weft::opencl

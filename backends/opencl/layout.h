@@ -75,7 +75,6 @@ typedef struct LayerLayout {
     weft_u32 colours;             /* channels of the program */
     weft_u32 first_level, levels; /* BANDS: first lattice, which has `planes` for each band; bands */
     weft_u32 period_x, period_y, period_z;
-    weft_u32 size_x, size_y; /* SPLAT: of the textons at level 0 */
     weft_u32 taps, cell_log2, count_limit, signs, images;
     weft_u32 counts;                      /* where in words */
     weft_u32 offset;                      /* where in numbers, four by four */

@@ -9,6 +9,7 @@ typedef struct Surface {
     weft_u32 whole, taps;
     float frame[9];
     float fade, unit, middle_x, middle_y;
+    float half_cell, slack[3]; /* half a cell seen along the frame's vectors, and all rounding */
 } Surface;
 
 static Surface surface_at(global const LayerLayout* layer, global const LevelLayout* level, global const float* frame,
@@ -20,16 +21,36 @@ static Surface surface_at(global const LayerLayout* layer, global const LevelLay
     surface.whole = whole;
     surface.taps = layer->taps;
     for (int i = 0; i < 9; ++i) surface.frame[i] = frame[i];
-    surface.fade = 2.0f / (float)max(layer->size_x, layer->size_y);
+    surface.fade = 2.0f / (float)max(layer->texton_width, layer->texton_height);
     surface.unit = weft_level_unit(whole);
-    surface.middle_x = weft_surface_middle(layer->size_x, whole);
-    surface.middle_y = weft_surface_middle(layer->size_y, whole);
+    surface.middle_x = weft_surface_middle(layer->texton_width, whole);
+    surface.middle_y = weft_surface_middle(layer->texton_height, whole);
+    surface.half_cell = 0.5f * (float)(1u << layer->cell_log2);
+    const float side = surface.half_cell + 1.0f; /* the sample is within its pixel */
+    for (int v = 0; v < 9; v += 3) {
+        const float size = fabs(frame[v]) + fabs(frame[v + 1]) + fabs(frame[v + 2]);
+        surface.slack[v / 3] = size * (side + 0.001f * ((float)surface.reach + 2.0f * side)) + 0.001f;
+    }
     return surface;
 }
 
 static float along(const float* vector, float3 d)
 {
     return weft_surface_along(d.x, d.y, d.z, vector[0], vector[1], vector[2]);
+}
+
+/* Whether a cell may have an impact that reaches, by where it begins, seen from the sample. */
+static weft_u32 may_reach(const Surface* surface, global const LevelLayout* level, weft_i32 x, weft_i32 y, weft_i32 z)
+{
+    const float3 d = (float3)(-(float)x, -(float)y, -(float)z) - surface->half_cell;
+    const float column = along(surface->frame, d) * surface->unit + surface->middle_x;
+    const float row = along(surface->frame + 3, d) * surface->unit + surface->middle_y;
+    const float more_x = surface->slack[0] * surface->unit + (float)surface->taps;
+    const float more_y = surface->slack[1] * surface->unit + (float)surface->taps;
+    const float left = (float)level->x - more_x, right = (float)(level->x + (weft_i32)level->width) + more_x;
+    const float top = (float)level->y - more_y, bottom = (float)(level->y + (weft_i32)level->height) + more_y;
+    return (fabs(along(surface->frame + 6, d)) - surface->slack[2]) * surface->fade <= 1.0f && column >= left &&
+           column <= right && row >= top && row <= bottom;
 }
 
 /* Further out an impact adds nothing. */
@@ -101,7 +122,7 @@ static float4 add_cell(global const LayerLayout* layer, global const LevelLayout
     return sum;
 }
 
-static float4 surface_level(global const LayerLayout* layer, global const LevelLayout* levels,
+static inline float4 surface_level(global const LayerLayout* layer, global const LevelLayout* levels,
                             global const float4* texels, global const weft_u32* words, global const float* numbers,
                             global const float* frame, Position at, weft_u32 whole, weft_u32 group)
 {
@@ -121,8 +142,9 @@ static float4 surface_level(global const LayerLayout* layer, global const LevelL
             const weft_u64 key_y = weft_absorb(key_x, (weft_u64)y.cell);
             for (Walk z = walk_from(at.z, reach, layer->period_z, log2); z.start <= reach;
                  z = walk_on(z, layer->period_z, log2))
-                sum = add_cell(layer, level, texton, counts, &surface, x, y, z, weft_absorb(key_y, (weft_u64)z.cell),
-                               sum);
+                if (may_reach(&surface, level, x.start, y.start, z.start))
+                    sum = add_cell(layer, level, texton, counts, &surface, x, y, z,
+                                   weft_absorb(key_y, (weft_u64)z.cell), sum);
         }
     }
     return sum + vload4(group, numbers + layer->offset);

@@ -129,8 +129,6 @@ void Tables::add_splat(const weft_splat& splat, LayerLayout& to)
     to.count_limit = splat.count_limit;
     to.signs = splat.signs;
     to.images = shown_images(splat);
-    to.size_x = splat.textons->width;
-    to.size_y = splat.textons->height;
     to.choice_layer = layer_of(splat.choice);
     to.choice_plane = splat.choice.plane;
     to.texton_width = splat.textons->width;
@@ -177,9 +175,9 @@ void Tables::add_levels(const weft_mips& mips, LayerLayout& to)
         const std::uint64_t size = std::uint64_t{level.image_step} * to.images;
         texel_count += bands ? (size + 3) / 4 : size;
         if (to.form == WEFT_SURFACE_GATHER) {
-            level.reach = weft_surface_reach(weft_surface_extent(to.size_x, mip.x, mip.width, to.taps, i),
-                                             weft_surface_extent(to.size_y, mip.y, mip.height, to.taps, i),
-                                             std::max(to.size_x, to.size_y));
+            level.reach = weft_surface_reach(weft_surface_extent(to.texton_width, mip.x, mip.width, to.taps, i),
+                                             weft_surface_extent(to.texton_height, mip.y, mip.height, to.taps, i),
+                                             std::max(to.texton_width, to.texton_height));
         } else if (to.form != WEFT_TILE_GATHER) {
             set_reach(to.taps, i, mip.x, mip.width, level.before_x, level.after_x);
             set_reach(to.taps, i, mip.y, mip.height, level.before_y, level.after_y);
