@@ -87,7 +87,7 @@ SelfTestProgram::SelfTestProgram(weft_use use)
     tile_.source = &source_.mips;
     splats_[0] = splat(two_, 2);
     splats_[1] = splat(four_, 4);
-    if (plane) splats_[1].choice = {0, 1};
+    if (plane) splats_[1].choice = {0, 0};
     weft_layer tile = layer(WEFT_LAYER_TILE, 2, -1), two = layer(WEFT_LAYER_SPLAT, 2, plane ? 0 : -1),
                four = layer(WEFT_LAYER_SPLAT, 1, -1), bands = layer(WEFT_LAYER_BANDS, 2, -1);
     tile.tile = &tile_;
