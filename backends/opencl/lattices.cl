@@ -10,8 +10,8 @@ static weft_u32 lattice_index(weft_i64 cell, weft_u32 shift, weft_u32 size)
     return weft_band_index(cell, shift, size);
 }
 
-/* Of an axis: the finer coefficients are near * a + far * b, the middle one, near * b + far * c. The middle one is 3/4 b
- * and 1/4 of c where `odd` is -1, else of a: without branches, which no processor could foretell. */
+/* Of an axis: the finer coefficients are near * a + far * b, the middle one, near * b + far * c. The middle one is
+ * 3/4 b and 1/4 of c where `odd` is -1, else of a: without branches, which no processor could foretell. */
 typedef struct Parity {
     float near, far;
     int4 odd;

@@ -12,8 +12,8 @@
 #define WEFT_BLOCK_COLUMNS 8
 #define WEFT_BLOCK_ROWS(taps) ((taps) == 1 ? 8 : (taps) == 2 ? 4 : (taps) == 4 ? 2 : 1)
 
-/* Words of an impact in a band's list: the texel column under the window's first pixel; where the framed row of texels
- * under the band's first row begins; then floats: of two taps w0, w1, rho, else x's weights times the sign, y's
+/* Words of an impact in a band's list: the texel column under the window's first pixel; where the framed row of its image's
+ * texels under the band's first row begins; then floats: of two taps w0, w1, rho, else x's weights times the sign, y's
  * weights. */
 #define WEFT_IMPACT_WORDS(taps) ((taps) == 2 ? 5 : 2 + 2 * (taps))
 

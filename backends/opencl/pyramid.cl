@@ -112,7 +112,10 @@ static void make_floor(Floor fine, Floor coarse, global const LatticeLayout* lat
 
 static inline float16 spline16(float16 a, float16 b, float16 c) { return 0.125f * a + (0.75f * b + 0.125f * c); }
 
-static inline float16 spline_row16(const float* c) { return spline16(vload16(0, c), vload16(0, c + 1), vload16(0, c + 2)); }
+static inline float16 spline_row16(const float* c)
+{
+    return spline16(vload16(0, c), vload16(0, c + 1), vload16(0, c + 2));
+}
 
 /* At the centres of pixels, where the spline's weights are 1/8, 3/4, 1/8. */
 static void spline_tile(Floor finest, weft_u32 width, weft_u32 height, global float* to, weft_u32 stride)
@@ -158,7 +161,8 @@ lattice_pyramid(global const LayerLayout* layers, global const LatticeLayout* la
     const weft_u32 plane = get_global_id(2);
     const weft_u32 width = min(samples.width - left, (weft_u32)WEFT_TILE_COLUMNS);
     const weft_u32 height = min(samples.height - top, (weft_u32)WEFT_TILE_ROWS);
-    global float* to = field + (size_t)(layer->plane_slot + plane) * samples.pitch + (size_t)top * samples.stride + left;
+    global float* to =
+        field + (size_t)(layer->plane_slot + plane) * samples.pitch + (size_t)top * samples.stride + left;
     if (samples.level >= layer->levels) {
         for (weft_u32 y = 0; y < height; ++y)
             for (weft_u32 x = 0; x < width; x += 16) vstore16(0.0f, 0, to + (size_t)y * samples.stride + x);
