@@ -96,6 +96,14 @@ static weft_status call_compare(weft_context *context, Report *report)
     return status;
 }
 
+static weft_status call_describe(weft_context *context, Report *report)
+{
+    weft_description description = WEFT_DESCRIPTION_INIT;
+    const weft_status status = weft_describe(context, &output, on_progress, report, &description);
+    if (status != WEFT_OK) assert_true(description.method == 0 && description.reasons[0] == '\0');
+    return status;
+}
+
 static weft_status observed(Call call, const char *device, uint32_t threads, uint32_t cancel_at, Report *report)
 {
     const Report fresh = {pthread_self(), 0, cancel_at, 0, -1, -1, 0, 0, 0};
@@ -164,6 +172,12 @@ static void comparison(void **state)
     observe(call_compare, 3);
 }
 
+static void description(void **state)
+{
+    (void)state;
+    observe(call_describe, 6);
+}
+
 /* What was cancelled can be done again, with the same result as if nothing had happened. */
 static void again_after_cancelling(void **state)
 {
@@ -188,6 +202,7 @@ int main(void)
         cmocka_unit_test(wavelet_analysis),
         cmocka_unit_test(rendering),
         cmocka_unit_test(comparison),
+        cmocka_unit_test(description),
         cmocka_unit_test(again_after_cancelling),
     };
     return cmocka_run_group_tests(tests, begin, end);
