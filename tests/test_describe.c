@@ -55,8 +55,10 @@ static void gaussian_noise(void **state)
             const weft_description d = described(&photo);
             assert_int_equal(d.method, WEFT_METHOD_TEXTON);
             assert_true(d.structure < 0.05f && d.structure_toned < 0.05f && d.histogram < 0.03f && d.unevenness < 0.1f);
-            if (grains[i] == GRAIN_STREAKS) assert_true(d.anisotropy > 0.3f);
-            else assert_true(d.anisotropy < 0.05f);
+            if (grains[i] == GRAIN_STREAKS)
+                assert_true(d.anisotropy > 0.3f);
+            else
+                assert_true(d.anisotropy < 0.05f);
             assert_true(d.period_x == 0 && d.period_y == 0);
             free_image(&photo);
         }
@@ -72,9 +74,11 @@ static float exponential(float v, int x, int y)
 static void toned_noise(void **state)
 {
     (void)state;
-    const weft_description soft = described_after(GRAIN_SOFT, exponential), streaks = described_after(GRAIN_STREAKS, exponential);
+    const weft_description soft = described_after(GRAIN_SOFT, exponential),
+                           streaks = described_after(GRAIN_STREAKS, exponential);
     assert_int_equal(soft.method, WEFT_METHOD_WAVELET);
-    assert_true(soft.histogram > 0.2f && soft.structure > 0.2f && soft.structure_toned < 0.05f && soft.anisotropy < 0.05f);
+    assert_true(soft.histogram > 0.2f && soft.structure > 0.2f && soft.structure_toned < 0.05f &&
+                soft.anisotropy < 0.05f);
     assert_true(streaks.method != WEFT_METHOD_WAVELET);
     assert_true(streaks.histogram > 0.2f && streaks.structure_toned < 0.05f && streaks.anisotropy > 0.3f);
 }
@@ -101,7 +105,8 @@ static float only_brightness(float v, int x, int y)
 static void gradients_are_uneven(void **state)
 {
     (void)state;
-    const weft_description contrast = described_after(GRAIN_SOFT, contrast_grows), light = described_after(GRAIN_SOFT, brightness_grows);
+    const weft_description contrast = described_after(GRAIN_SOFT, contrast_grows),
+                           light = described_after(GRAIN_SOFT, brightness_grows);
     assert_true(contrast.unevenness > 0.4f && light.unevenness > 0.4f);
     assert_true(contrast.period_x == 0 && contrast.period_y == 0 && light.period_x == 0 && light.period_y == 0);
     assert_true(described_after(GRAIN_SOFT, only_brightness).unevenness > 0.2f);
@@ -159,10 +164,12 @@ static void the_same_again(void **state)
         assert_memory_equal(&again, &first, sizeof first);
         weft_context_free(other);
     }
-    for (size_t i = 0; i < (size_t)97 * 131 * 3; ++i) ((uint8_t *)bytes.data)[i] = (uint8_t)lrintf(255 * fminf(fmaxf(values(&photo)[i], 0), 1));
+    for (size_t i = 0; i < (size_t)97 * 131 * 3; ++i)
+        ((uint8_t *)bytes.data)[i] = (uint8_t)lrintf(255 * fminf(fmaxf(values(&photo)[i], 0), 1));
     const weft_description rounded = described(&bytes);
     assert_int_equal(rounded.method, first.method);
-    assert_true(fabsf(rounded.structure - first.structure) < 0.01f && fabsf(rounded.histogram - first.histogram) < 0.01f);
+    assert_true(fabsf(rounded.structure - first.structure) < 0.01f &&
+                fabsf(rounded.histogram - first.histogram) < 0.01f);
     free_image(&bytes);
     free_image(&photo);
 }
@@ -182,8 +189,12 @@ static void sizes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gaussian_noise),        cmocka_unit_test(toned_noise), cmocka_unit_test(gradients_are_uneven),
-        cmocka_unit_test(patterns_have_periods), cmocka_unit_test(one_colour),  cmocka_unit_test(the_same_again),
+        cmocka_unit_test(gaussian_noise),
+        cmocka_unit_test(toned_noise),
+        cmocka_unit_test(gradients_are_uneven),
+        cmocka_unit_test(patterns_have_periods),
+        cmocka_unit_test(one_colour),
+        cmocka_unit_test(the_same_again),
         cmocka_unit_test(sizes),
     };
     return cmocka_run_group_tests(tests, begin, end);
