@@ -234,7 +234,7 @@ static void nothing_jumps(void **state)
     promised_differences(&least, &greatest);
     const double mean_step = ((double)info[1].mean[0] - (double)info[0].mean[0]) / (STEPS - 1);
     for (int x = 0; x < WIDTH; ++x) {
-        const double mean = mean_of(&difference[x]), half = T_BOUND * error_of(&difference[x]);
+        const double mean = mean_of(&difference[x]), half = half_of(&difference[x]);
         const int fine = mean + half >= least && mean - half <= greatest + mean_step * mean_step;
         if (!fine) print_error("column %d: %g +- %g, steps have %g to %g\n", x, mean, half, least, greatest);
         assert_true(fine && half < greatest);

@@ -73,8 +73,10 @@ static weft_status call_analyze_wavelet(weft_context *context, Report *report)
 {
     weft_model *made = UNTOUCHED;
     const weft_status status = weft_analyze_wavelet(context, &photo, NULL, on_progress, report, &made);
-    if (status == WEFT_OK) weft_model_free(made);
-    else assert_ptr_equal(made, UNTOUCHED);
+    if (status == WEFT_OK)
+        weft_model_free(made);
+    else
+        assert_ptr_equal(made, UNTOUCHED);
     return status;
 }
 
@@ -198,12 +200,8 @@ static void again_after_cancelling(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(analysis),
-        cmocka_unit_test(wavelet_analysis),
-        cmocka_unit_test(rendering),
-        cmocka_unit_test(comparison),
-        cmocka_unit_test(description),
-        cmocka_unit_test(again_after_cancelling),
+        cmocka_unit_test(analysis),   cmocka_unit_test(wavelet_analysis), cmocka_unit_test(rendering),
+        cmocka_unit_test(comparison), cmocka_unit_test(description),      cmocka_unit_test(again_after_cancelling),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

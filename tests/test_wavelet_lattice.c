@@ -2,8 +2,8 @@
 #include "estimate.h"
 #include "wavelets.h"
 
-/* Lagae et al. 2010, section 3: the variance of two-dimensional wavelet noise made of white noise of variance 1, over all
- * positions, is 0.265 (measured). Normalised, the band has the weight's square. */
+/* Lagae et al. 2010, section 3: the variance of two-dimensional wavelet noise made of white noise of variance 1, over
+ * all positions, is 0.265 (measured). Normalised, the band has the weight's square. */
 static void variance_before_normalisation(void **state)
 {
     (void)state;

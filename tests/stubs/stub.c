@@ -74,8 +74,8 @@ static void device_close(weft_backend_device *device)
 }
 
 #ifdef WEFT_STUB_LATTICE
-/* Mean square, over all positions, of the quadratic spline surface whose coefficients are the band's lattice, which is a
- * torus: the spline's products at lags -2..2 in both directions. */
+/* Mean square, over all positions, of the quadratic spline surface whose coefficients are the band's lattice, which is
+ * a torus: the spline's products at lags -2..2 in both directions. */
 static float mean_square(const weft_band *band)
 {
     static const double product[5] = {1.0 / 120, 26.0 / 120, 66.0 / 120, 26.0 / 120, 1.0 / 120};
@@ -92,8 +92,8 @@ static float mean_square(const weft_band *band)
     return (float)(sum / ((double)width * height));
 }
 
-/* In place of the colours, of the first plane's coarsest band: the variance of its lattice, and what the weight makes of
- * it. */
+/* In place of the colours, of the first plane's coarsest band: the variance of its lattice, and what the weight makes
+ * of it. */
 static void read_lattice(const weft_layer *layer, float *mean)
 {
     const weft_band *band = &layer->bands->bands[(size_t)(layer->bands->count - 1) * layer->planes];
