@@ -1,6 +1,5 @@
 /* What a model holds, drawn: the panels of each method. */
 #include "command.h"
-#include "plot.h"
 #include "sheet.h"
 #include "sheet_wavelet.h"
 

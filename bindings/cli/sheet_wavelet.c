@@ -1,7 +1,6 @@
 /* Wavelet noise drawn: each band by itself, weights, tone curves, principal axes. */
 #include "sheet_wavelet.h"
 #include "command.h"
-#include "font.h"
 #include "plot.h"
 #include "wavelet_json.h"
 
