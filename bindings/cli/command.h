@@ -17,6 +17,7 @@ int command_export(int count, char** words);
 int command_import(int count, char** words);
 int command_describe(int count, char** words);
 int command_mix(int count, char** words);
+int command_sheet(int count, char** words);
 int command_compare(int count, char** words);
 int command_devices(int count, char** words);
 int command_bench(int count, char** words);

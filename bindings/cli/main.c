@@ -21,6 +21,7 @@ static const command commands[] = {
     {"import", command_import, "make a model of a .texton or .json file"},
     {"describe", command_describe, "say what a photo is like and which method suits it"},
     {"mix", command_mix, "make a model between two models"},
+    {"sheet", command_sheet, "draw a model, its texture and how close this is to the photo"},
     {"compare", command_compare, "measure how close an output is to its exemplar"},
     {"devices", command_devices, "list the devices"},
     {"bench", command_bench, "measure speed beside the machine's limits"},
