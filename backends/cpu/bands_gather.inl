@@ -63,10 +63,7 @@ inline Parity parity_of(const weft_spot* const* at, uint32_t axis, uint32_t band
     return parity;
 }
 
-inline Vector either(const Mask& mask, const Vector& yes, const Vector& no)
-{
-    return reinterpret_cast<Vector>((reinterpret_cast<Mask>(yes) & mask) | (reinterpret_cast<Mask>(no) & ~mask));
-}
+inline Vector either(const Mask& mask, const Vector& yes, const Vector& no) { return mask ? yes : no; }
 
 /// weft_refine_even and weft_refine_odd of three vectors; sums do not depend on the order of two terms.
 inline void refine_lines(const Parity& parity, Vector& a, Vector& b, Vector& c)
@@ -182,6 +179,6 @@ void bands_in_plane(const Bands& bands, const Lanes& at, uint32_t count, float* 
     const Spline_lanes spline(at);
     for (uint32_t p = 0; p < bands.planes; ++p) {
         const Vector value = spline.f(c + p * 3);
-        for (uint32_t s = 0; s < count; ++s) f[s * pitch + p] = value[4 * s];
+        for (uint32_t s = 0; s < count; ++s) f[p * pitch + s] = value[4 * s];
     }
 }

@@ -67,7 +67,8 @@ struct Sources {
 
 /// Finds the first coefficients, and asks early for all that are needed: lattices of solids do not stay in the nearest
 /// caches.
-inline void find_sources(const Lattice* lattices, uint32_t planes, const Solid_spots& at, uint32_t band, Sources& sources)
+inline void find_sources(const Lattice* lattices, uint32_t planes, const Solid_spots& at, uint32_t band,
+                         Sources& sources)
 {
     int64_t cell[spots][3];
     for (uint32_t s = 0; s < spots; ++s)
@@ -123,12 +124,12 @@ void bands_in_space(const Bands& bands, const Lanes& at, uint32_t count, float* 
     }
     for (uint32_t p = 0; p < bands.planes; ++p)
         for (uint32_t s = 0; s < count; ++s)
-            f[s * pitch + p] = sums[p][4 * s] + (sums[p][4 * s + 1] + sums[p][4 * s + 2]);
+            f[p * pitch + s] = sums[p][4 * s] + (sums[p][4 * s + 1] + sums[p][4 * s + 2]);
 }
 
 void bands_spots(const Bands& bands, uint32_t axes, const weft_spot* from, uint32_t count, float* f, size_t pitch)
 {
-    for (uint32_t i = 0, n = 0; i < count; i += n, f += n * pitch) {
+    for (uint32_t i = 0, n = 0; i < count; i += n, f += n) {
         Lanes at;
         at.level = uint32_t(weft_level(from[i].level).whole);
         at.whole = true;
@@ -142,7 +143,7 @@ void bands_spots(const Bands& bands, uint32_t axes, const weft_spot* from, uint3
         }
         for (uint32_t s = n; s < spots; ++s) at.at[s] = from + i;
         if (at.level >= bands.count)
-            for (uint32_t j = 0; j < n * bands.planes; ++j) f[j / bands.planes * pitch + j % bands.planes] = 0.0f;
+            for (uint32_t j = 0; j < n * bands.planes; ++j) f[j / n * pitch + j % n] = 0.0f;
         else if (axes == 3)
             bands_in_space(bands, at, n, f, pitch);
         else
