@@ -13,72 +13,97 @@ inline Vector look_up(const Vector& table, const Mask& k)
 }
 #endif
 
-/// The pieces that values lie in, and how their coefficients are found. `most` is how many pieces there may be.
-template <uint32_t most> struct Pieces {
-    Pieces(const Tone& tone, const Vector& v) : k{}
+/// A tone curve of up to `most` pieces; a piece is found, and then its coefficients are, for all lanes at once.
+template <uint32_t most> struct Curve {
+    explicit Curve(const Tone& t) : tone(t) {}
+
+    Vector operator()(const Vector& v) const
     {
+        Mask k{};
         for (uint32_t i = 1; i < tone.count; ++i) k -= v >= same(tone.x[i]);
+        const auto of = [&](const float* table) {
+            Vector value;
+            for (uint32_t i = 0; i < lanes; ++i) value[i] = table[k[i]];
+            return value;
+        };
+        return polynomial(v - of(tone.x), of(tone.c[0]), of(tone.c[1]), of(tone.c[2]), of(tone.c[3]));
     }
 
-    Vector of(const float* table) const
+    static Vector polynomial(const Vector& d, const Vector& c0, const Vector& c1, const Vector& c2, const Vector& c3)
     {
-        Vector value;
-        for (uint32_t i = 0; i < lanes; ++i) value[i] = table[k[i]];
-        return value;
+        return ((c3 * d + c2) * d + c1) * d + c0;
     }
 
-    Mask k;
+    const Tone& tone;
 };
 
 #if WEFT_LANES == 16
-template <> inline Vector Pieces<16>::of(const float* table) const { return look_up(load(table), k); }
+template <> inline Vector Curve<16>::operator()(const Vector& v) const
+{
+    Mask k{};
+    for (uint32_t i = 1; i < tone.count; ++i) k -= v >= same(tone.x[i]);
+    const auto of = [&](const float* table) { return look_up(load(table), k); };
+    return polynomial(v - of(tone.x), of(tone.c[0]), of(tone.c[1]), of(tone.c[2]), of(tone.c[3]));
+}
 #endif
 
 #if WEFT_LANES == 8
-/// Halved three times; what is left of NaN compares as out of reach.
-template <> struct Pieces<8> {
-    Pieces(const Tone& tone, const Vector& v)
+/// Eight pieces fill a register, and are halved three times: NaN is never reached. Ten knots, which is usual, make a
+/// ninth.
+struct Curve_of_few {
+    explicit Curve_of_few(const Tone& tone)
+        : second(same(tone.x[2])), fourth(same(tone.x[4])), sixth(same(tone.x[6])), eighth(same(tone.x[8])),
+          next(load(tone.x + 1)), x(load(tone.x)), last_x(same(tone.x[8]))
     {
-        const Mask four = v >= same(tone.x[4]);
-        const Mask two = v >= either(four, same(tone.x[6]), same(tone.x[2]));
-        const Mask even = (four & 4) | (two & 2);
-        k = even - (v >= look_up(load(tone.x + 1), even));
+        for (uint32_t i = 0; i < 4; ++i) {
+            c[i] = load(tone.c[i]);
+            last_c[i] = same(tone.c[i][8]);
+        }
     }
 
-    Vector of(const float* table) const { return look_up(load(table), k); }
+    template <bool ninth> Vector at(const Vector& v) const
+    {
+        const Mask high = v >= fourth, even = (high & 4) | ((v >= either(high, sixth, second)) & 2);
+        const Mask k = even - (v >= look_up(next, even)), last = v >= eighth;
+        const auto of = [&](const Vector& table, const Vector& behind) {
+            const Vector found = look_up(table, k);
+            return ninth ? either(last, behind, found) : found;
+        };
+        const Vector d = v - of(x, last_x);
+        Vector value = of(c[3], last_c[3]);
+        for (uint32_t i = 3; i-- > 0;) value = value * d + of(c[i], last_c[i]);
+        return value;
+    }
 
-    Mask k;
+    Vector second, fourth, sixth, eighth, next, x, last_x, c[4], last_c[4];
 };
 
-/// Ten knots, which is usual, make one piece more than a register holds.
-template <> struct Pieces<9> {
-    Pieces(const Tone& tone, const Vector& v) : first(tone, v), last(v >= same(tone.x[8])) {}
+template <> struct Curve<8> : Curve_of_few {
+    using Curve_of_few::Curve_of_few;
+    Vector operator()(const Vector& v) const { return at<false>(v); }
+};
 
-    Vector of(const float* table) const { return either(last, same(table[8]), first.of(table)); }
-
-    Pieces<8> first;
-    Mask last;
+template <> struct Curve<9> : Curve_of_few {
+    using Curve_of_few::Curve_of_few;
+    Vector operator()(const Vector& v) const { return at<true>(v); }
 };
 #endif
 
-template <uint32_t most> inline Vector toned(const Tone& tone, const Vector& from)
-{
-    const Vector low = same(tone.low), high = same(tone.high);
-    Vector v = either(from < low, low, from);
-    v = either(v > high, high, v);
-    const Pieces<most> pieces(tone, v);
-    const Vector d = v - pieces.of(tone.x);
-    return ((pieces.of(tone.c[3]) * d + pieces.of(tone.c[2])) * d + pieces.of(tone.c[1])) * d + pieces.of(tone.c[0]);
-}
-
 template <uint32_t most> void tone_row(const Tone& tone, uint32_t width, float* row)
 {
+    const Curve<most> curve(tone);
+    const Vector low = same(tone.low), high = same(tone.high);
+    const auto toned = [&](const float* from) {
+        Vector v = load(from);
+        v = v < low ? low : v;
+        return curve(v > high ? high : v);
+    };
     uint32_t x = 0;
-    for (; x + lanes <= width; x += lanes) store(toned<most>(tone, load(row + x)), row + x);
+    for (; x + lanes <= width; x += lanes) store(toned(row + x), row + x);
     if (x == width) return;
     float rest[lanes] = {0};
     for (uint32_t i = 0; i < width - x; ++i) rest[i] = row[x + i];
-    store(toned<most>(tone, load(rest)), rest);
+    store(toned(rest), rest);
     for (uint32_t i = 0; i < width - x; ++i) row[x + i] = rest[i];
 }
 
@@ -100,44 +125,59 @@ template <class Value> inline Value read(const float* from)
     return v;
 }
 
-/// As many columns as a Value has, a vector or a float; the result of `channels` values f.
+/// As many columns as a Value has, a vector or a float: what `channels` values f make of one result.
 template <class Value>
-inline void mix_one(const Mixture& m, uint32_t result, uint32_t channels, const Value* f, uint32_t x, float* out)
+inline void mix_one(const Mixture& m, const float* colour, float mean, uint32_t channels, const Value* f,
+                    const float* mask, float* out)
 {
-    const float* colour = m.colour + size_t(result) * channels;
-    Value sum = m.mean[result] - Value{};
+    Value sum = mean - Value{};
     for (uint32_t c = 0; c < channels; ++c) sum = colour[c] * f[c] + sum;
-    float* to = out + result * m.result_plane + x;
-    const Value before = m.fresh ? Value{} : read<Value>(to);
-    put(m.mask ? read<Value>(m.mask + x) * sum + before : sum + before, to);
+    const Value before = m.fresh ? Value{} : read<Value>(out);
+    put(m.mask ? read<Value>(mask) * sum + before : sum + before, out);
 }
 
-template <class Value, uint32_t channels> inline void mix_at(const Mixture& m, uint32_t x, float* out)
-{
-    Value f[channels];
-    for (uint32_t c = 0; c < channels; ++c) f[c] = read<Value>(m.f + c * m.plane + x);
-    for (uint32_t o = 0; o < channels; ++o) mix_one(m, o, channels, f, x, out);
-}
+/// As many results as channels; matrix and mean stay in registers.
+template <uint32_t channels> struct Square {
+    explicit Square(const Mixture& mixture) : m(mixture)
+    {
+        for (uint32_t i = 0; i < channels * channels; ++i) colour[i] = m.colour[i];
+        for (uint32_t i = 0; i < channels; ++i) mean[i] = m.mean[i];
+    }
 
-template <uint32_t channels> void mix_same(const Mixture& m, float* out)
-{
-    uint32_t x = 0;
-    for (; x + lanes <= m.width; x += lanes) mix_at<Vector, channels>(m, x, out);
-    for (; x < m.width; ++x) mix_at<float, channels>(m, x, out);
-}
+    template <class Value> void at(uint32_t x, float* out) const
+    {
+        Value f[channels];
+        for (uint32_t c = 0; c < channels; ++c) f[c] = read<Value>(m.f + c * m.plane + x);
+        for (uint32_t o = 0; o < channels; ++o)
+            mix_one(m, colour + o * channels, mean[o], channels, f, m.mask ? m.mask + x : nullptr,
+                    out + o * m.result_plane + x);
+    }
 
-template <class Value> inline void mix_any_at(const Mixture& m, uint32_t x, float* out)
+    void run(float* out) const
+    {
+        uint32_t x = 0;
+        for (; x + lanes <= m.width; x += lanes) at<Vector>(x, out);
+        for (; x < m.width; ++x) at<float>(x, out);
+    }
+
+    const Mixture m;
+    float colour[channels * channels], mean[channels];
+};
+
+template <class Value> inline void mix_at(const Mixture& m, uint32_t x, float* out)
 {
     Value f[most_planes];
     for (uint32_t c = 0; c < m.channels; ++c) f[c] = read<Value>(m.f + c * m.plane + x);
-    for (uint32_t o = 0; o < m.results; ++o) mix_one(m, o, m.channels, f, x, out);
+    for (uint32_t o = 0; o < m.results; ++o)
+        mix_one(m, m.colour + size_t(o) * m.channels, m.mean[o], m.channels, f, m.mask ? m.mask + x : nullptr,
+                out + o * m.result_plane + x);
 }
 
 void mix(const Mixture& m, float* out)
 {
-    if (m.channels == 3 && m.results == 3) return mix_same<3>(m, out);
-    if (m.channels == 1 && m.results == 1) return mix_same<1>(m, out);
+    if (m.channels == 3 && m.results == 3) return Square<3>(m).run(out);
+    if (m.channels == 1 && m.results == 1) return Square<1>(m).run(out);
     uint32_t x = 0;
-    for (; x + lanes <= m.width; x += lanes) mix_any_at<Vector>(m, x, out);
-    for (; x < m.width; ++x) mix_any_at<float>(m, x, out);
+    for (; x + lanes <= m.width; x += lanes) mix_at<Vector>(m, x, out);
+    for (; x < m.width; ++x) mix_at<float>(m, x, out);
 }
