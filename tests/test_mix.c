@@ -100,7 +100,8 @@ static void steps_are_parts(void **state)
 static const int lags[][2] = {{0, 0}, {1, 0}, {0, 1}, {3, -2}, {6, 0}, {0, 5}};
 #define LAGS 6
 
-/* The ends of the path are the two models: the noise's deviation and covariance, as far as a fitted texton can have it. */
+/* The ends of the path are the two models: the noise's deviation and covariance, as far as a fitted texton can have it.
+ */
 static void ends_are_the_models(void **state)
 {
     (void)state;
@@ -110,9 +111,11 @@ static void ends_are_the_models(void **state)
             const double variance = noise_covariance(&texton, WEFT_INTERPOLATION_LINEAR, a, a, 0, 0);
             for (uint32_t b = 0; b < CHANNELS; ++b)
                 for (int l = 0; l < LAGS; ++l) {
-                    const double wanted = noise_covariance(&texton, WEFT_INTERPOLATION_LINEAR, a, b, lags[l][0], lags[l][1]);
+                    const double wanted =
+                        noise_covariance(&texton, WEFT_INTERPOLATION_LINEAR, a, b, lags[l][0], lags[l][1]);
                     const double got = noise_covariance(&step, WEFT_INTERPOLATION_LINEAR, a, b, lags[l][0], lags[l][1]);
-                    if (!(fabs(got - wanted) <= 0.05 * variance)) print_error("end %d, lag %d: %g, should be %g of %g\n", e, l, got, wanted, variance);
+                    if (!(fabs(got - wanted) <= 0.05 * variance))
+                        print_error("end %d, lag %d: %g, should be %g of %g\n", e, l, got, wanted, variance);
                     assert_true(fabs(got - wanted) <= 0.05 * variance);
                 }
         }
@@ -133,7 +136,8 @@ static void mean_and_covariance_of_steps(void **state)
         Estimate mean[CHANNELS] = {{0, 0, 0}}, covariance[LAGS][CHANNELS][CHANNELS];
         double expected[CHANNELS];
         memset(covariance, 0, sizeof covariance);
-        for (int c = 0; c < CHANNELS; ++c) expected[c] = (double)first.mean[c] + k * ((double)last.mean[c] - (double)first.mean[c]) / (STEPS - 1);
+        for (int c = 0; c < CHANNELS; ++c)
+            expected[c] = (double)first.mean[c] + k * ((double)last.mean[c] - (double)first.mean[c]) / (STEPS - 1);
         for (uint32_t i = 0; i < scaled(40, 24); ++i) {
             weft_texture *texture = new_step(k, 70 + i);
             weft_image image = rendered(texture, -1000 * (int64_t)i, 5, 0, SIDE, SIDE, CHANNELS);
@@ -148,7 +152,9 @@ static void mean_and_covariance_of_steps(void **state)
                         for (int y = 2; y < SIDE - 5; ++y)
                             for (int x = 0; x < SIDE - 6; ++x, ++pairs)
                                 product += ((double)value_at(&image, (uint32_t)x, (uint32_t)y, a) - expected[a]) *
-                                           ((double)value_at(&image, (uint32_t)(x + lags[l][0]), (uint32_t)(y + lags[l][1]), b) - expected[b]);
+                                           ((double)value_at(&image, (uint32_t)(x + lags[l][0]),
+                                                             (uint32_t)(y + lags[l][1]), b) -
+                                            expected[b]);
                         add(&covariance[l][a][b], product / pairs);
                     }
             }
@@ -161,14 +167,16 @@ static void mean_and_covariance_of_steps(void **state)
             assert_expected(&mean[a], expected[a], 0.2 * sqrt(variance), "mean of step", (int)k);
             for (uint32_t b = 0; b < CHANNELS; ++b)
                 for (int l = 0; l < LAGS; ++l)
-                    assert_expected(&covariance[l][a][b], noise_covariance(&texton, WEFT_INTERPOLATION_LINEAR, a, b, lags[l][0], lags[l][1]),
+                    assert_expected(&covariance[l][a][b],
+                                    noise_covariance(&texton, WEFT_INTERPOLATION_LINEAR, a, b, lags[l][0], lags[l][1]),
                                     0.3 * variance, "covariance of step", (int)k);
         }
         free_image(&texton);
     }
 }
 
-/* A map of all steps and of what is between and beyond them; windows and points, near and far, with and without a period. */
+/* A map of all steps and of what is between and beyond them; windows and points, near and far, with and without a
+ * period. */
 /* Points with footprints of all sizes, between the levels. */
 static void fill_points(weft_point *points, uint32_t count, int64_t x, int64_t y, uint64_t seed)
 {
@@ -205,8 +213,8 @@ static void devices_agree_on(const char *name, weft_texture *texture, int64_t x,
 static void devices_agree_when_filtered(void **state)
 {
     (void)state;
-    const weft_interpolation orders[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST, WEFT_INTERPOLATION_CUBIC,
-                                         WEFT_INTERPOLATION_QUINTIC};
+    const weft_interpolation orders[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST,
+                                         WEFT_INTERPOLATION_CUBIC, WEFT_INTERPOLATION_QUINTIC};
     char names[MOST_DEVICES][64];
     const uint32_t count = usable_devices(names, 1);
     weft_image map = new_image(5, 6, 1, WEFT_FORMAT_F32);
@@ -288,7 +296,8 @@ static void wrong_mixes(void **state)
     const char *function = "weft_model_mix";
     const weft_status argument = WEFT_ERROR_ARGUMENT;
     const weft_wavelet parameters = random_wavelet(CHANNELS, 3, 4, 1), other_channels = random_wavelet(3, 3, 4, 1);
-    weft_model *grey = texton_of(GRAIN_SOFT, 0, 1), *noise = new_wavelet(context, &parameters), *colour = new_wavelet(context, &other_channels);
+    weft_model *grey = texton_of(GRAIN_SOFT, 0, 1), *noise = new_wavelet(context, &parameters),
+               *colour = new_wavelet(context, &other_channels);
     weft_model *picture = new_picture(context, 8, 8, CHANNELS, 1), *out;
     const uint32_t steps[] = {0, 1, 256, UINT32_MAX};
     const float ts[] = {-0.01f, 1.01f, NAN, INFINITY};
@@ -303,7 +312,8 @@ static void wrong_mixes(void **state)
     REFUSED_HANDLE(weft_model_mix(context, ends[0], NULL, 0, 3, &out), out, argument, function, "b is NULL");
     REFUSED_HANDLE(weft_model_mix(NULL, ends[0], ends[1], 0, 3, &out), out, argument, function, "context");
     REFUSED(weft_model_mix(context, ends[0], ends[1], 0, 3, NULL), function, "model");
-    REFUSED_HANDLE(weft_model_mix(context, picture, picture, 0, 3, &out), out, WEFT_ERROR_UNSUPPORTED, function, "picture");
+    REFUSED_HANDLE(weft_model_mix(context, picture, picture, 0, 3, &out), out, WEFT_ERROR_UNSUPPORTED, function,
+                   "picture");
     REFUSED_HANDLE(weft_model_mix(context, mixed, ends[0], 0, 3, &out), out, WEFT_ERROR_UNSUPPORTED, function, "mixed");
     weft_model_free(grey);
     weft_model_free(noise);
@@ -334,7 +344,8 @@ static void wrong_maps(void **state)
         case 7: model = ends[0], word = "mixed"; break;
         default: values(&map)[5] = NAN, word = "mix"; break;
         }
-        REFUSED_HANDLE(weft_texture_create(context, model, &options, &texture), texture, WEFT_ERROR_ARGUMENT, "weft_texture_create", word);
+        REFUSED_HANDLE(weft_texture_create(context, model, &options, &texture), texture, WEFT_ERROR_ARGUMENT,
+                       "weft_texture_create", word);
     }
     free_image(&map);
     free_image(&colour);
@@ -370,7 +381,8 @@ static void wavelets_morph(void **state)
             for (int p = 0; p < 3; ++p) {
                 assert_true(fabs((double)(w.mean[p] - (a.mean[p] + t * (b.mean[p] - a.mean[p])))) < 1e-6);
                 for (int k = 0; k < 6; ++k)
-                    assert_true(fabs((double)(w.weight[k][p] - (a.weight[k][p] + t * (b.weight[k][p] - a.weight[k][p])))) < 1e-6);
+                    assert_true(fabs((double)(w.weight[k][p] -
+                                              (a.weight[k][p] + t * (b.weight[k][p] - a.weight[k][p])))) < 1e-6);
             }
             weft_model_free(between);
         }
@@ -382,8 +394,13 @@ static void wavelets_morph(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steps_are_parts), cmocka_unit_test(ends_are_the_models), cmocka_unit_test(mean_and_covariance_of_steps),
-        cmocka_unit_test(devices_agree), cmocka_unit_test(devices_agree_when_filtered),   cmocka_unit_test(wrong_mixes),         cmocka_unit_test(wrong_maps),
+        cmocka_unit_test(steps_are_parts),
+        cmocka_unit_test(ends_are_the_models),
+        cmocka_unit_test(mean_and_covariance_of_steps),
+        cmocka_unit_test(devices_agree),
+        cmocka_unit_test(devices_agree_when_filtered),
+        cmocka_unit_test(wrong_mixes),
+        cmocka_unit_test(wrong_maps),
         cmocka_unit_test(wavelets_morph),
     };
     return cmocka_run_group_tests(tests, begin, end);

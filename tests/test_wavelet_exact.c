@@ -44,7 +44,8 @@ static Case open_case(weft_model *model, uint64_t seed, uint32_t period_x, uint3
     c.options.seed = seed;
     c.options.period_x = period_x;
     c.options.period_y = period_y;
-    for (uint32_t d = 0; d < device_count; ++d) assert_ok(weft_texture_create(contexts[d], model, &c.options, &c.textures[d]));
+    for (uint32_t d = 0; d < device_count; ++d)
+        assert_ok(weft_texture_create(contexts[d], model, &c.options, &c.textures[d]));
     return c;
 }
 
@@ -60,8 +61,8 @@ static void check_window(const Case *c, int64_t x, int64_t y, uint32_t level, ui
     for (uint32_t d = 1; d < device_count; ++d) {
         weft_image image = rendered(c->textures[d], x, y, level, width, height, c->channels);
         if (!same_pixels(&image, &expected))
-            print_error("%u channels, period %u %u, window %ux%u at %lld %lld level %u\n", c->channels, c->options.period_x, c->options.period_y,
-                        width, height, (long long)x, (long long)y, level);
+            print_error("%u channels, period %u %u, window %ux%u at %lld %lld level %u\n", c->channels,
+                        c->options.period_x, c->options.period_y, width, height, (long long)x, (long long)y, level);
         assert_same_pixels(&image, &expected, devices[d]);
         free_image(&image);
     }
@@ -93,7 +94,8 @@ static void check_points(const Case *c, Random *random)
     float expected[COUNT * 16], out[COUNT * 16];
     for (int i = 0; i < COUNT; ++i) {
         const double far = random_below(random, 3) ? 0 : 0x1p40;
-        const float size = random_below(random, 2) ? 0 : (float)(random_unit(random) * (random_below(random, 4) ? 4 : 300));
+        const float size =
+            random_below(random, 2) ? 0 : (float)(random_unit(random) * (random_below(random, 4) ? 4 : 300));
         const weft_point point = {far + 200 * random_unit(random) - 100,
                                   -far + 200 * random_unit(random) - 100,
                                   {size * (float)random_unit(random), size * (float)(random_unit(random) - 0.5)},
@@ -105,7 +107,8 @@ static void check_points(const Case *c, Random *random)
         memset(out, 0xff, sizeof out);
         assert_ok(weft_texture_sample(c->textures[d], COUNT, points, out));
         assert_memory_equal(out, expected, COUNT * c->channels * sizeof *out);
-        for (int i = 0; i < COUNT; i += 7) assert_ok(weft_texture_sample(c->textures[d], 1, points + i, out + (size_t)i * c->channels));
+        for (int i = 0; i < COUNT; i += 7)
+            assert_ok(weft_texture_sample(c->textures[d], 1, points + i, out + (size_t)i * c->channels));
         assert_memory_equal(out, expected, COUNT * c->channels * sizeof *out);
     }
 }
@@ -118,7 +121,8 @@ static int64_t random_place(Random *random)
 
 static weft_model *random_model(Random *random)
 {
-    const uint32_t channels = random_below(random, 8) ? 1 + random_below(random, 4) : 1 + random_below(random, 16), bands = 1 + random_below(random, 16);
+    const uint32_t channels = random_below(random, 8) ? 1 + random_below(random, 4) : 1 + random_below(random, 16),
+                   bands = 1 + random_below(random, 16);
     const uint32_t knots = random_below(random, 2) ? 0 : 2 + random_below(random, 31);
     const weft_wavelet wavelet = random_wavelet(channels, bands, knots, random_bits(random));
     return new_wavelet(contexts[0], &wavelet);
@@ -131,10 +135,12 @@ static void windows_and_points(void **state)
     const uint32_t sizes[][2] = {{1, 1}, {64, 64}, {37, 53}, {97, 21}, {1, 40}, {130, 1}, {16, 9}};
     const uint32_t periods[] = {0, 0, 1, 37, 64, 256, 1000, 1003, 1u << 24};
     for (uint32_t i = 0; i < scaled(10, 3); ++i) {
-        const uint32_t period_x = periods[random_below(&random, 9)], period_y = random_below(&random, 2) ? period_x : periods[random_below(&random, 9)];
+        const uint32_t period_x = periods[random_below(&random, 9)],
+                       period_y = random_below(&random, 2) ? period_x : periods[random_below(&random, 9)];
         Case c = open_case(random_model(&random), random_bits(&random), period_x, period_y);
         for (uint32_t k = 0; k < 4; ++k) {
-            const uint32_t *size = sizes[random_below(&random, 7)], level = k == 0 ? 0 : random_below(&random, k == 3 ? 31 : 8);
+            const uint32_t *size = sizes[random_below(&random, 7)],
+                           level = k == 0 ? 0 : random_below(&random, k == 3 ? 31 : 8);
             int64_t x = random_place(&random), y = random_place(&random);
             if (level > 18) x >>= 20, y >>= 20;
             check_window(&c, x, y, level, size[0], size[1]);
@@ -182,9 +188,11 @@ static void overlapping_windows_agree(void **state)
         weft_image whole = rendered(c.textures[device_count - 1], x, y, level, 90, 41, c.channels);
         for (int k = 0; k < 4; ++k) {
             const uint32_t left = random_below(&random, 60), top = random_below(&random, 30);
-            weft_image part = rendered(c.textures[(uint32_t)k % device_count], x + left, y + top, level, 30, 11, c.channels);
+            weft_image part =
+                rendered(c.textures[(uint32_t)k % device_count], x + left, y + top, level, 30, 11, c.channels);
             for (uint32_t row = 0; row < 11; ++row)
-                assert_memory_equal(values(&part) + (size_t)row * 30 * c.channels, values(&whole) + ((top + row) * (size_t)90 + left) * c.channels,
+                assert_memory_equal(values(&part) + (size_t)row * 30 * c.channels,
+                                    values(&whole) + ((top + row) * (size_t)90 + left) * c.channels,
                                     30 * c.channels * sizeof(float));
             free_image(&part);
         }
@@ -201,7 +209,8 @@ static void periods_wrap(void **state)
     const weft_wavelet wavelet = random_wavelet(3, 8, 6, 5);
     for (size_t i = 0; i < sizeof periods / sizeof *periods; ++i) {
         Case c = open_case(new_wavelet(contexts[0], &wavelet), i, periods[i][0], periods[i][1]);
-        for (uint32_t level = 0; level < 3 && periods[i][0] % (1u << level) == 0 && periods[i][1] % (1u << level) == 0; ++level) {
+        for (uint32_t level = 0; level < 3 && periods[i][0] % (1u << level) == 0 && periods[i][1] % (1u << level) == 0;
+             ++level) {
             const int64_t step_x = periods[i][0] >> level, step_y = periods[i][1] >> level;
             weft_image one = rendered(c.textures[0], -5, 3, level, 48, 20, 3);
             for (uint32_t d = 0; d < device_count; ++d) {
@@ -222,7 +231,8 @@ static void seeds_matter(void **state)
 {
     (void)state;
     const weft_wavelet wavelet = random_wavelet(1, 4, 0, 5);
-    Case a = open_case(new_wavelet(contexts[0], &wavelet), 1, 0, 0), b = open_case(new_wavelet(contexts[0], &wavelet), 2, 0, 0);
+    Case a = open_case(new_wavelet(contexts[0], &wavelet), 1, 0, 0),
+         b = open_case(new_wavelet(contexts[0], &wavelet), 2, 0, 0);
     weft_image one = rendered(a.textures[0], 0, 0, 0, 32, 32, 1), two = rendered(b.textures[0], 0, 0, 0, 32, 32, 1);
     assert_false(same_pixels(&one, &two));
     free_image(&one);
@@ -242,9 +252,12 @@ static void solid_points(void **state)
         float expected[COUNT * 16], out[COUNT * 16];
         for (int k = 0; k < COUNT; ++k) {
             const double far = random_below(&random, 3) ? 0 : 0x1p40;
-            const float footprint = random_below(&random, 2) ? 0 : (float)(random_unit(&random) * (random_below(&random, 3) ? 3 : 200));
-            const weft_solid_point point = {{far + 99 * random_unit(&random), -far + 99 * random_unit(&random), 300 * random_unit(&random) - 100},
-                                            footprint, 0};
+            const float footprint =
+                random_below(&random, 2) ? 0 : (float)(random_unit(&random) * (random_below(&random, 3) ? 3 : 200));
+            const weft_solid_point point = {
+                {far + 99 * random_unit(&random), -far + 99 * random_unit(&random), 300 * random_unit(&random) - 100},
+                footprint,
+                0};
             points[k] = point;
         }
         assert_ok(weft_texture_sample_solid(c.textures[0], COUNT, points, expected));
@@ -252,7 +265,8 @@ static void solid_points(void **state)
             memset(out, 0xff, sizeof out);
             assert_ok(weft_texture_sample_solid(c.textures[d], COUNT, points, out));
             assert_memory_equal(out, expected, COUNT * c.channels * sizeof *out);
-            for (int k = 0; k < COUNT; k += 9) assert_ok(weft_texture_sample_solid(c.textures[d], 1, points + k, out + (size_t)k * c.channels));
+            for (int k = 0; k < COUNT; k += 9)
+                assert_ok(weft_texture_sample_solid(c.textures[d], 1, points + k, out + (size_t)k * c.channels));
             assert_memory_equal(out, expected, COUNT * c.channels * sizeof *out);
         }
         close_case(&c);
