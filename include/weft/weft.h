@@ -500,7 +500,8 @@ typedef struct weft_stationarity_options {
  *            each pixel shared by the two nearest to it.
  * MOMENTS    its mean, deviation, and the cube and fourth root of its third and fourth central moment, as far as `moments`
  *            says; distance: squared difference, in squared Lab units.
- * STEERABLE  the histograms of 4 oriented derivatives, as in HISTOGRAM; distance: the sum of all 4.
+ * STEERABLE  the histograms of third derivatives of a Gaussian in 4 orientations (Freeman, Adelson 1991), as in HISTOGRAM;
+ *            distance: the sum of all 4.
  * The grid has 32 positions along the shorter side (or one a pixel) and as many along the other as its length wants, in the
  * middles of equal parts. `map` may be NULL; else it is F32 of 1 channel and its width and height are those of the grid
  * instead: each pixel receives the mean distance from there to everywhere. `options` may be NULL. 8 x 8 pixels at least. */

@@ -2,7 +2,7 @@
 #include "analysis/stationarity_cost.h"
 #include "analysis/lab_planes.h"
 #include "analysis/local_sums.h"
-#include "analysis/oriented_bands.h"
+#include "analysis/steerable.h"
 #include "base/image.h"
 #include <algorithm>
 #include <cmath>
@@ -132,10 +132,11 @@ float stationarity_cost(Core& core, const weft_image& image, const weft_stationa
         } else if (options.stationarity == WEFT_STATIONARITY_MOMENTS) {
             measurement.add_moments(lab.plane(c), width, height, part);
         } else {
-            const Planes bands = oriented_bands(core, lab.plane(c), width, height);
+            Planes bands(&core.memory, width, height, orientations, Array<float>::unset);
+            steerable_responses(core, lab, c, bands, part.part(0, 0.5));
             for (std::uint32_t o = 0; o < bands.count; ++o)
                 measurement.add_histograms(bands.plane(o), width, height,
-                                           part.part(static_cast<double>(o) / bands.count, (o + 1.0) / bands.count));
+                                           part.part(0.5 + 0.5 * o / bands.count, 0.5 + 0.5 * (o + 1) / bands.count));
         }
     }
     double sum = 0;
