@@ -192,7 +192,7 @@ Stationary_tile stationarize(Core& core, const weft_image& photo, const weft_sta
                              const Progress& progress)
 {
     progress.at(0);
-    const Planes planes = read_image(photo, &core.memory, core.parallel, function, "photo");
+    const Planes planes = read_image(photo, &core.memory, core.parallel, function, "photo", progress.part(0, 0.02));
     Stationary_tile result;
     {
         Synthesis synthesis(core, planes, options, progress.part(0.02, 0.1));
@@ -200,8 +200,8 @@ Stationary_tile stationarize(Core& core, const weft_image& photo, const weft_sta
         result.origin = synthesis.correspondence();
         result.texture_cost = synthesis.texture_cost();
     }
-    result.tile = assemble(planes, result.origin, options.width, options.height, &core.memory, core.parallel);
-    progress.at(1);
+    result.tile = assemble(planes, result.origin, options.width, options.height, &core.memory, core.parallel,
+                           progress.part(0.97, 1));
     return result;
 }
 

@@ -1,4 +1,5 @@
-/// Rows of patches are added as they lie in the map: eleven additions side by side in place of eleven look-ups.
+/// Patches of neighbours lie side by side in the map, as a rule: such a run adds each of the map's values once, times
+/// the number of patches that it lies in.
 #include "model/correspondence.h"
 #include <algorithm>
 #include <functional>
@@ -6,6 +7,18 @@
 namespace weft {
 
 namespace {
+
+/// Adds rows of `patch` values, the first at `values` and the last `length` - 1 places on, each to where it lies.
+void add_run(const float* values, std::size_t length, std::size_t patch, double* sums) noexcept
+{
+    const std::size_t count = length + patch - 1, most = std::min(length, patch);
+    for (std::size_t i = 0; i < most - 1; ++i) {
+        sums[i] += static_cast<double>(i + 1) * static_cast<double>(values[i]);
+        sums[count - 1 - i] += static_cast<double>(i + 1) * static_cast<double>(values[count - 1 - i]);
+    }
+    const auto all = static_cast<double>(most);
+    for (std::size_t i = most - 1; i < count - (most - 1); ++i) sums[i] += all * static_cast<double>(values[i]);
+}
 
 /// One row of one plane of the tile: `sums` has `reach` places before and after it, which belong to the other end.
 void assemble_row(const Planes& map, const Correspondence& from, std::uint32_t c, std::uint32_t y, Planes& tile,
@@ -16,9 +29,10 @@ void assemble_row(const Planes& map, const Correspondence& from, std::uint32_t c
     for (std::size_t row = 0; row < patch; ++row) {
         const std::size_t middle = (std::size_t{y} + std::size_t{tile.height} * patch + reach - row) % tile.height;
         const std::uint16_t *xs = &from.x[middle * width], *ys = &from.y[middle * width];
-        for (std::size_t x = 0; x < width; ++x) {
-            const float* values = map.row(c, ys[x] + row - reach) + (xs[x] - reach);
-            for (std::size_t i = 0; i < patch; ++i) sums[x + i] += static_cast<double>(values[i]);
+        for (std::size_t begin = 0, end = 0; begin < width; begin = end) {
+            for (end = begin + 1; end < width; ++end)
+                if (ys[end] != ys[begin] || xs[end] != xs[begin] + (end - begin)) break;
+            add_run(map.row(c, ys[begin] + row - reach) + (xs[begin] - reach), end - begin, patch, sums + begin);
         }
     }
     for (std::size_t i = 0; i < reach; ++i) { // a tile may be narrower than a patch
@@ -33,7 +47,7 @@ void assemble_row(const Planes& map, const Correspondence& from, std::uint32_t c
 } // namespace
 
 Planes assemble(const Planes& map, const Correspondence& correspondence, std::uint32_t width, std::uint32_t height,
-                std::pmr::memory_resource* memory, Parallel& parallel)
+                std::pmr::memory_resource* memory, Parallel& parallel, const Progress& progress)
 {
     Planes tile(memory, width, height, map.count, Array<float>::unset);
     const std::uint32_t rows = height * map.count, step = std::max(1U, 4096U / width), tasks = (rows + step - 1) / step;
@@ -42,7 +56,13 @@ Planes assemble(const Planes& map, const Correspondence& correspondence, std::ui
         for (std::uint32_t row = task * step; row < std::min(rows, (task + 1) * step); ++row)
             assemble_row(map, correspondence, row / height, row % height, tile, sums.data());
     };
-    parallel.for_each_index(tasks, std::ref(work));
+    const std::uint32_t batch = std::max(parallel.width(), 128U);
+    for (std::uint32_t first = 0; first < tasks; first += batch) {
+        const std::uint32_t count = std::min(batch, tasks - first);
+        const auto work_from = [&](std::uint32_t task) { work(first + task); };
+        parallel.for_each_index(count, std::ref(work_from));
+        progress.at(static_cast<double>(first + count) / tasks);
+    }
     return tile;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "base/array.h"
 #include "base/parallel.h"
+#include "base/progress.h"
 
 namespace weft {
 
@@ -20,6 +21,6 @@ struct Correspondence {
 /// Each pixel becomes the mean of what all patches that cover it say. `map` has the photo's size and any number of
 /// planes. The same on every machine, in sums of double, for any number of threads.
 Planes assemble(const Planes& map, const Correspondence& correspondence, std::uint32_t width, std::uint32_t height,
-                std::pmr::memory_resource* memory, Parallel& parallel);
+                std::pmr::memory_resource* memory, Parallel& parallel, const Progress& progress = Progress());
 
 } // namespace weft
