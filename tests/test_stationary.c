@@ -206,7 +206,8 @@ static void check_other_map(const weft_model *model, const weft_image *correspon
     weft_image direct = assembled(&wide, correspondence, patch);
     assert_near(&direct, &exact);
     for (size_t k = 0; k < 64 * 75 * 2; ++k)
-        assert_int_equal(((uint16_t *)rounded.data)[k], lround((double)values(&exact)[k] * 65535));
+        assert_true(fabs(((uint16_t *)rounded.data)[k] - (double)values(&exact)[k] * 65535) <
+                    0.51); /* float has 24 bits */
     free_image(&direct);
     free_image(&wide);
     free_image(&exact);

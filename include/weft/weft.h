@@ -342,7 +342,7 @@ WEFT_API weft_status weft_model_part_read(const weft_model *model, uint32_t inde
 
 /* Puts another map of the same surface together as the tile of a stationary model was put together of its photo. `map` has
  * the photo's width and height, `tile` the tile's width and height and the map's channels; any formats. The photo gives the
- * tile. Values are summed in double and rounded once. WEFT_ERROR_UNSUPPORTED: the model is not stationary. */
+ * tile, bit for bit in F32. WEFT_ERROR_UNSUPPORTED: the model is not stationary. */
 WEFT_API weft_status weft_model_apply(const weft_model *model, const weft_image *map, const weft_image *tile) WEFT_NOEXCEPT;
 
 WEFT_API void weft_model_free(weft_model *model) WEFT_NOEXCEPT;

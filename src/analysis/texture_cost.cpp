@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* function = "weft_texture_cost";
 constexpr std::uint32_t side_by_side = 16; ///< candidates in a row
-constexpr std::uint32_t probes = 1024;
+constexpr std::uint32_t most_probes = 1024;
 constexpr std::uint32_t band_rows = 32;                    ///< rows of candidates whose parts are known at once
 constexpr std::uint32_t cuts = 3, parts = cuts * cuts + 1; ///< the whole, and 3 x 3 parts of it
 
@@ -69,7 +69,8 @@ public:
     /// A few candidates from all over, so that most others are ruled out early.
     void probe(Sought& sought) const noexcept
     {
-        for (std::uint32_t i = 0; i < probes; ++i) {
+        const std::uint64_t probes = std::min<std::uint64_t>(most_probes, std::uint64_t{columns_} * rows() / 64);
+        for (std::uint64_t i = 0; i < probes; ++i) {
             const std::uint64_t bits = mix_bits(i);
             sought.least = least_with(sought, static_cast<std::uint32_t>((bits & 0xffffffffU) * columns_ >> 32),
                                       static_cast<std::uint32_t>((bits >> 32) * rows() >> 32));
