@@ -3,6 +3,7 @@
 #include "base/elementary.h"
 #include "base/hash.h"
 #include <algorithm>
+#include <cstring>
 
 namespace weft {
 namespace {
@@ -32,21 +33,22 @@ struct Axis {
     }
 };
 
-/// The third quartile, up to the step of a table with eight entries an octave.
-std::uint64_t third_quartile(const Array<std::uint64_t>& costs) noexcept
+/// The third quartile, up to the step of a table with eight entries an octave: the first bits of a float.
+float third_quartile(const Array<float>& costs) noexcept
 {
-    constexpr std::uint32_t steps = 8, bits = 64;
-    std::uint32_t counts[bits * steps] = {};
-    const auto step_of = [](std::uint64_t cost) -> std::uint32_t {
-        if (cost < steps) return static_cast<std::uint32_t>(cost);
-        const auto exponent = static_cast<std::uint32_t>(63 - __builtin_clzll(cost));
-        return (exponent - 2) * steps + static_cast<std::uint32_t>((cost >> (exponent - 3)) & (steps - 1));
-    };
-    for (const std::uint64_t cost : costs) ++counts[step_of(cost)];
-    std::uint64_t seen = 0;
+    constexpr std::uint32_t kept_bits = 20, steps = 1u << (32 - kept_bits);
+    std::uint32_t counts[steps] = {};
+    for (const float cost : costs) {
+        std::uint32_t bits;
+        std::memcpy(&bits, &cost, sizeof bits);
+        ++counts[bits >> kept_bits];
+    }
     std::uint32_t step = 0;
-    while (step + 1 < bits * steps && (seen += counts[step]) * 4 < costs.size() * 3) ++step;
-    return step < steps ? step : std::uint64_t{steps + step % steps} << (step / steps - 1);
+    for (std::uint64_t seen = counts[0]; seen * 4 < costs.size() * 3; seen += counts[step]) ++step;
+    const std::uint32_t bits = step << kept_bits;
+    float quartile;
+    std::memcpy(&quartile, &bits, sizeof quartile);
+    return quartile;
 }
 
 } // namespace
@@ -91,15 +93,15 @@ void weigh(Core& core, Match_field& field)
     constexpr int most = 16;
     constexpr double ln2 = 0.6931471805599453;
     const auto scale = 0.5 * static_cast<double>(third_quartile(field.costs));
-    std::uint64_t bounds[most - 1]; // 15 exp(-cost / scale) >= k
+    float bounds[most - 1]; // 15 exp(-cost / scale) >= k
     for (int k = 1; k < most; ++k)
-        bounds[k - 1] = static_cast<std::uint64_t>(scale * ln2 * log2_of(static_cast<double>(most - 1) / k));
+        bounds[k - 1] = static_cast<float>(scale * ln2 * log2_of(static_cast<double>(most - 1) / k));
     core.parallel.for_each_index(field.height, [&](std::uint32_t y) {
-        const std::uint64_t* costs = field.costs.data() + std::size_t{y} * field.width;
+        const float* costs = field.costs.data() + std::size_t{y} * field.width;
         std::uint8_t* weights = field.weights.data() + std::size_t{y} * field.width;
         for (std::uint32_t x = 0; x < field.width; ++x) {
             std::uint8_t weight = 1;
-            for (const std::uint64_t bound : bounds) weight = static_cast<std::uint8_t>(weight + (costs[x] <= bound));
+            for (const float bound : bounds) weight = static_cast<std::uint8_t>(weight + (costs[x] <= bound));
             weights[x] = weight;
         }
     });

@@ -14,7 +14,7 @@ struct Match_field {
     std::uint32_t width = 0, height = 0; ///< of the tile
     std::uint32_t reach = 0;             ///< a patch is 2 reach + 1 pixels a side
     Array<Place> places;
-    Array<std::uint64_t> costs;  ///< of the last search
+    Array<float> costs;          ///< of the last search
     Array<std::uint8_t> weights; ///< of the votes
 
     Match_field() = default;

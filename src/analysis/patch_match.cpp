@@ -131,7 +131,7 @@ private:
         propagate<fixed_line>(patch, field_.places[std::size_t{above} * width + x], 0, 0 - step, best);
         search_at_random<fixed_line>(patch, row + x, best);
         field_.places[row + x] = best.place;
-        field_.costs[row + x] = best.cost;
+        field_.costs[row + x] = static_cast<float>(best.cost);
         return best.distance;
     }
 

@@ -138,10 +138,10 @@ private:
             if (options_.stationarity != WEFT_STATIONARITY_NONE)
                 project(core_, around, options_.stationarity, options_.moments, tile, part.part(0.05, 0.3));
             tile.wrap();
-            uniformity.count(field_, penalty_share * mean_distance_);
+            uniformity.count(core_, field_, penalty_share * mean_distance_, part.part(0.3, 0.35));
             const std::uint64_t key = mix_in(mix_in(options_.seed, number), i);
             mean_distance_ = search(core_, tile, exemplar, uniformity, (key & ~std::uint64_t{1}) | (i & 1), field_,
-                                    part.part(0.3, 0.85));
+                                    part.part(0.35, 0.85));
             tell(plan, number, i);
             if (finest && i + 1 == level.iterations) return;
             weigh(core_, field_);

@@ -34,29 +34,21 @@ Value_counts::Value_counts(Core& core, const Lab_picture& picture, const Progres
     : counts_(&core.memory, std::size_t{picture.channels} * values),
       total_(std::uint64_t{picture.width} * picture.height)
 {
+    constexpr std::uint32_t most_parts = 64;
     const std::uint32_t channels = picture.channels, size = channels * values;
-    const std::uint32_t parts = std::min(picture.height, 16u);
+    const std::uint32_t parts = std::min((picture.height + rows_a_task - 1) / rows_a_task, most_parts);
     Array<std::uint32_t> partial(&core.memory, std::size_t{parts} * size);
-    const double cost = 2.0 * static_cast<double>(total_) / parts;
-    // A row at a time of each part, so that few pixels lie between two reports.
-    const std::uint32_t steps = (picture.height + parts - 1) / parts;
-    constexpr std::uint32_t rows_together = 64;
-    for (std::uint32_t step = 0; step < steps; step += rows_together) {
-        const std::uint32_t step_end = std::min(steps, step + rows_together);
-        for_each_step(core, parts, cost * (step_end - step) / steps,
-                      progress.part(static_cast<double>(step) / steps, static_cast<double>(step_end) / steps),
-                      [&](std::uint32_t part) {
-                          std::uint32_t* own = partial.data() + std::size_t{part} * size;
-                          for (std::uint32_t i = step; i < step_end; ++i) {
-                              const std::uint32_t y = i * parts + part;
-                              if (y >= picture.height) return;
-                              const std::int16_t* row = picture.at(0, y);
-                              for (std::uint32_t x = 0; x < picture.width; ++x)
-                                  for (std::uint32_t c = 0; c < channels; ++c)
-                                      ++own[c * values + static_cast<std::uint32_t>(row[x * channels + c] + origin)];
-                          }
-                      });
-    }
+    const double cost = 2.0 * channels * static_cast<double>(total_) / parts;
+    for_each_step(core, parts, cost, progress, [&](std::uint32_t part) {
+        std::uint32_t* own = partial.data() + std::size_t{part} * size;
+        const auto bound = [&](std::uint64_t i) { return static_cast<std::uint32_t>(i * picture.height / parts); };
+        for (std::uint32_t y = bound(part); y < bound(part + 1u); ++y) {
+            const std::int16_t* row = picture.at(0, y);
+            for (std::uint32_t x = 0; x < picture.width; ++x)
+                for (std::uint32_t c = 0; c < channels; ++c)
+                    ++own[c * values + static_cast<std::uint32_t>(row[x * channels + c] + origin)];
+        }
+    });
     for (std::uint32_t part = 0; part < parts; ++part)
         for (std::uint32_t i = 0; i < size; ++i) counts_[i] += partial[std::size_t{part} * size + i];
 }

@@ -10,7 +10,7 @@ public:
     Uniformity(Core& core, const Lab_picture& exemplar, const Match_field& field);
 
     /// Counts the field's uses; a place used twice as often as would be even costs `unit`, thrice twice that.
-    void count(const Match_field& field, double unit);
+    void count(Core& core, const Match_field& field, double unit, const Progress& progress);
     std::uint32_t penalty(std::uint32_t x, std::uint32_t y) const noexcept
     {
         return penalties_[std::size_t{y / cell} * across_ + x / cell];
@@ -21,7 +21,7 @@ private:
 
     std::uint32_t across_, down_;
     float even_;
-    Array<std::uint32_t> counts_, penalties_;
+    Array<std::uint32_t> counts_, smooth_, penalties_;
 };
 
 } // namespace weft
