@@ -13,7 +13,7 @@ static double smooth(double low, double high, double x)
 static double amount(Stain stain, double u, double v, double slow)
 {
     switch (stain) {
-    case STAIN_BLOB: return 1 - smooth(0.12, 0.3, hypot(u - 0.4, v - 0.55));
+    case STAIN_BLOB: return 1 - smooth(0.12, 0.3, sqrt((u - 0.4) * (u - 0.4) + (v - 0.55) * (v - 0.55)));
     case STAIN_LIGHT: return 0.5 * u + 0.5 * v;
     case STAIN_HALF: return smooth(0.45, 0.55, u + 0.2 * (v - 0.5));
     default: return smooth(-0.3, 0.6, 10 * slow);

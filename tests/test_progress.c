@@ -73,8 +73,10 @@ static weft_status call_analyze_wavelet(weft_context *context, Report *report)
 {
     weft_model *made = UNTOUCHED;
     const weft_status status = weft_analyze_wavelet(context, &photo, NULL, on_progress, report, &made);
-    if (status == WEFT_OK) weft_model_free(made);
-    else assert_ptr_equal(made, UNTOUCHED);
+    if (status == WEFT_OK)
+        weft_model_free(made);
+    else
+        assert_ptr_equal(made, UNTOUCHED);
     return status;
 }
 
@@ -93,6 +95,38 @@ static weft_status call_compare(weft_context *context, Report *report)
     weft_comparison comparison = WEFT_COMPARISON_INIT;
     const weft_status status = weft_compare(context, &photo, &output, NULL, on_progress, report, &comparison);
     if (status != WEFT_OK) assert_true(comparison.model_error == 0 && comparison.seam_score == 0);
+    return status;
+}
+
+static weft_status call_analyze_stationary(weft_context *context, Report *report)
+{
+    weft_model *made = UNTOUCHED;
+    weft_stationary_options options = WEFT_STATIONARY_OPTIONS_INIT;
+    options.width = options.height = 64;
+    options.stationarity = 1 + (weft_stationarity)(report->cancel_at % 4);
+    const weft_status status = weft_analyze_stationary(context, &photo, &options, on_progress, report, &made);
+    if (status == WEFT_OK)
+        weft_model_free(made);
+    else
+        assert_ptr_equal(made, UNTOUCHED);
+    return status;
+}
+
+static weft_status call_texture_cost(weft_context *context, Report *report)
+{
+    float cost = 7;
+    weft_status status = weft_texture_cost(context, &photo, &output, NULL, on_progress, report, &cost);
+    if (status != WEFT_OK) assert_true(cost == 7);
+    return status;
+}
+
+static weft_status call_stationarity_cost(weft_context *context, Report *report)
+{
+    float cost = 7;
+    weft_stationarity_options options = WEFT_STATIONARITY_OPTIONS_INIT;
+    options.stationarity = 1 + (weft_stationarity)(report->cancel_at % 3);
+    const weft_status status = weft_stationarity_cost(context, &output, &options, on_progress, report, NULL, &cost);
+    if (status != WEFT_OK) assert_true(cost == 7);
     return status;
 }
 
@@ -164,6 +198,14 @@ static void comparison(void **state)
     observe(call_compare, 3);
 }
 
+static void tiles_and_costs(void **state)
+{
+    (void)state;
+    observe(call_analyze_stationary, 12);
+    observe(call_texture_cost, 2);
+    observe(call_stationarity_cost, 3);
+}
+
 /* What was cancelled can be done again, with the same result as if nothing had happened. */
 static void again_after_cancelling(void **state)
 {
@@ -184,11 +226,8 @@ static void again_after_cancelling(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(analysis),
-        cmocka_unit_test(wavelet_analysis),
-        cmocka_unit_test(rendering),
-        cmocka_unit_test(comparison),
-        cmocka_unit_test(again_after_cancelling),
+        cmocka_unit_test(analysis),   cmocka_unit_test(wavelet_analysis), cmocka_unit_test(rendering),
+        cmocka_unit_test(comparison), cmocka_unit_test(tiles_and_costs),  cmocka_unit_test(again_after_cancelling),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }
