@@ -22,7 +22,7 @@ static double amount(Stain stain, double u, double v, double slow)
 
 weft_image new_stained(Stain stain, uint32_t width, uint32_t height, uint64_t seed)
 {
-    static const float base[3] = {0.55f, 0.5f, 0.42f}, stained[3] = {0.42f, 0.24f, 0.12f};
+    static const float base[3] = {0.55f, 0.5f, 0.42f}, stained[3] = {0.44f, 0.29f, 0.18f};
     static const Grain grains[STAINS] = {GRAIN_SOFT, GRAIN_STREAKS, GRAIN_BAND, GRAIN_SOFT};
     weft_image fine = new_grain(grains[stain], width, height, 3, seed),
                rough = new_grain(GRAIN_BAND, width, height, 1, seed + 1);
