@@ -17,7 +17,7 @@ struct Range {
 Range range_of(Core& core, const Planes& photo, std::uint32_t channels, const Progress& progress)
 {
     Array<Range> ranges(&core.memory, photo.height);
-    for_each_step(core, photo.height, photo.width, progress, [&](std::uint32_t y) {
+    for_each_step(core, photo.height, 8.0 * photo.width, progress, [&](std::uint32_t y) {
         for (std::uint32_t c = 0; c < channels; ++c) {
             const float* row = photo.row(c, y);
             float low = ranges[y].low, high = ranges[y].high;
@@ -93,7 +93,7 @@ Lab_picture reduced(Core& core, const Lab_picture& picture, std::uint32_t width,
     const std::size_t line = std::size_t{picture.width} * channels;
     Lab_picture result(&core.memory, width, height, channels, 0);
     const std::uint32_t tasks = (height + rows_a_task - 1) / rows_a_task;
-    const double cost = static_cast<double>(line) * picture.height / tasks;
+    const double cost = 4.0 * static_cast<double>(line) * picture.height / tasks;
     // Source j covers [j, j + 1) * parts, part i covers [i, i + 1) * sources.
     const auto overlap = [](std::uint64_t i, std::uint64_t sources, std::uint64_t j, std::uint64_t parts) {
         const std::uint64_t begin = std::max(i * sources, j * parts);

@@ -1,5 +1,6 @@
 /// First guesses of a correspondence, and the weights of its votes.
 #include "analysis/match_field.h"
+#include "analysis/compare_pair.h"
 #include "base/elementary.h"
 #include "base/hash.h"
 #include <algorithm>
@@ -60,10 +61,10 @@ Match_field::Match_field(std::pmr::memory_resource* memory, std::uint32_t w, std
     std::fill_n(weights.data(), weights.size(), std::uint8_t{1});
 }
 
-void scatter(Core& core, const Lab_picture& exemplar, std::uint64_t key, Match_field& field)
+void scatter(Core& core, const Lab_picture& exemplar, std::uint64_t key, Match_field& field, const Progress& progress)
 {
     const std::uint32_t reach = field.reach;
-    core.parallel.for_each_index(field.height, [&](std::uint32_t y) {
+    for_each_step(core, field.height, 32.0 * field.width, progress, [&](std::uint32_t y) {
         for (std::uint32_t x = 0; x < field.width; ++x) {
             const std::size_t i = std::size_t{y} * field.width + x;
             const std::uint64_t bits = mix_in(key, i);
@@ -76,11 +77,11 @@ void scatter(Core& core, const Lab_picture& exemplar, std::uint64_t key, Match_f
 }
 
 void rescale(Core& core, const Match_field& from, std::uint32_t from_exemplar_width, std::uint32_t from_exemplar_height,
-             const Lab_picture& exemplar, Match_field& field)
+             const Lab_picture& exemplar, Match_field& field, const Progress& progress)
 {
     const Axis across{from.width, field.width, from_exemplar_width, exemplar.width, field.reach};
     const Axis down{from.height, field.height, from_exemplar_height, exemplar.height, field.reach};
-    core.parallel.for_each_index(field.height, [&](std::uint32_t y) {
+    for_each_step(core, field.height, 32.0 * field.width, progress, [&](std::uint32_t y) {
         for (std::uint32_t x = 0; x < field.width; ++x) {
             const Place place = from.places[std::size_t{down.source(y)} * from.width + across.source(x)];
             field.places[std::size_t{y} * field.width + x] = {across.middle(x, place.x), down.middle(y, place.y)};
@@ -88,7 +89,7 @@ void rescale(Core& core, const Match_field& from, std::uint32_t from_exemplar_wi
     });
 }
 
-void weigh(Core& core, Match_field& field)
+void weigh(Core& core, Match_field& field, const Progress& progress)
 {
     constexpr int most = 16;
     constexpr double ln2 = 0.6931471805599453;
@@ -96,7 +97,7 @@ void weigh(Core& core, Match_field& field)
     float bounds[most - 1]; // 15 exp(-cost / scale) >= k
     for (int k = 1; k < most; ++k)
         bounds[k - 1] = static_cast<float>(scale * ln2 * log2_of(static_cast<double>(most - 1) / k));
-    core.parallel.for_each_index(field.height, [&](std::uint32_t y) {
+    for_each_step(core, field.height, 32.0 * field.width, progress, [&](std::uint32_t y) {
         const float* costs = field.costs.data() + std::size_t{y} * field.width;
         std::uint8_t* weights = field.weights.data() + std::size_t{y} * field.width;
         for (std::uint32_t x = 0; x < field.width; ++x) {

@@ -25,14 +25,14 @@ struct Match_field {
 };
 
 /// Any place of the exemplar for each pixel.
-void scatter(Core& core, const Lab_picture& exemplar, std::uint64_t key, Match_field& field);
+void scatter(Core& core, const Lab_picture& exemplar, std::uint64_t key, Match_field& field, const Progress& progress);
 
 /// The same correspondence for a tile and an exemplar of another size: patches keep their places relative to each
 /// other.
 void rescale(Core& core, const Match_field& from, std::uint32_t from_exemplar_width, std::uint32_t from_exemplar_height,
-             const Lab_picture& exemplar, Match_field& field);
+             const Lab_picture& exemplar, Match_field& field, const Progress& progress);
 
 /// The better a match, the more its patch counts: 1 to 16.
-void weigh(Core& core, Match_field& field);
+void weigh(Core& core, Match_field& field, const Progress& progress);
 
 } // namespace weft

@@ -121,8 +121,8 @@ private:
             finest ? Lab_picture()
                    : reduced(core_, full_, level.exemplar_width, level.exemplar_height, progress.part(0, 0.05));
         const Lab_picture& exemplar = finest ? full_ : coarse;
-        start(plan, number, exemplar);
-        const Value_counts goal(core_, exemplar, progress.part(0.05, 0.1));
+        start(plan, number, exemplar, progress.part(0.05, 0.07));
+        const Value_counts goal(core_, exemplar, progress.part(0.07, 0.1));
         const std::uint32_t spacing =
             plan.count == 1 ? 5 : (2 * (plan.count - 1) + 3 * number + (plan.count - 1) / 2) / (plan.count - 1);
         const Neighbourhoods around(core_, level.width, level.height, options_.sigma,
@@ -144,20 +144,20 @@ private:
                                     part.part(0.35, 0.85));
             tell(plan, number, i);
             if (finest && i + 1 == level.iterations) return;
-            weigh(core_, field_);
-            vote(core_, field_, exemplar, tile, part.part(0.85, 1));
+            weigh(core_, field_, part.part(0.85, 0.87));
+            vote(core_, field_, exemplar, tile, part.part(0.87, 1));
         }
     }
 
-    void start(const Levels& plan, std::uint32_t number, const Lab_picture& exemplar)
+    void start(const Levels& plan, std::uint32_t number, const Lab_picture& exemplar, const Progress& progress)
     {
         const Level& level = plan.levels[number];
         Match_field field(&core_.memory, level.width, level.height, options_.patch / 2);
         if (number == 0)
-            scatter(core_, exemplar, mix_bits(options_.seed), field);
+            scatter(core_, exemplar, mix_bits(options_.seed), field, progress);
         else
             rescale(core_, field_, plan.levels[number - 1].exemplar_width, plan.levels[number - 1].exemplar_height,
-                    exemplar, field);
+                    exemplar, field, progress);
         field_ = std::move(field);
     }
 

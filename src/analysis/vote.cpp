@@ -99,7 +99,7 @@ void vote(Core& core, const Match_field& field, const Lab_picture& exemplar, Lab
           const Progress& progress)
 {
     const std::uint32_t tasks = (field.height + rows_a_task - 1) / rows_a_task;
-    const double cost = 10.0 * rows_a_task * field.width * (2 * field.reach + 1);
+    const double cost = 1.0 * rows_a_task * field.width * field.patch_pixels() * exemplar.channels; // at the most
     for_each_step(core, tasks, cost, progress, [&](std::uint32_t task) {
         const std::uint32_t first = task * rows_a_task, end = std::min(field.height, first + rows_a_task);
         Sums sums(core, field, exemplar, first, end);
