@@ -72,8 +72,10 @@ public:
         : core_(core), options_(options), full_(lab_of(core, photo, progress))
     {
         require(varies(full_), function, ": photo is one colour");
-        if (options.sigma_map)
-            factors_ = read_image(*options.sigma_map, &core.memory, core.parallel, function, "options->sigma_map");
+        if (!options.sigma_map) return;
+        factors_ = read_image(*options.sigma_map, &core.memory, core.parallel, function, "options->sigma_map");
+        for (const float factor : factors_.values)
+            require(factor >= 0 && factor <= 1, function, ": options->sigma_map has the value ", factor, ", not 0..1");
     }
 
     void run(const Levels& plan, const Progress& progress)
