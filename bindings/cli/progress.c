@@ -57,10 +57,10 @@ void progress_note(const char* text)
 
 static void draw(double done, double now)
 {
-    enum { width = 40 };
-    char bar[width + 1];
+    char bar[41];
+    int width = *note ? 16 : 40; /* a line of 80 columns holds both */
     int full = (int)(done * width);
-    memset(bar, '.', width);
+    memset(bar, '.', (size_t)width);
     memset(bar, '#', (size_t)full);
     bar[width] = '\0';
     fprintf(stderr, "\r[%s] %3d %%", bar, (int)(done * 100));

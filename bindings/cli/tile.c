@@ -23,7 +23,8 @@ static const char notes[] =
     "--palette makes N tiles from 0 to 1 of that scale and lays them side by side: each repeated 2 x 2, and in\n"
     "perspective. Several photos are further maps of one surface, in register: the first three channels are what\n"
     "is compared, the others follow; the %d in TILE is then the map's number. Each map keeps its depth, or that\n"
-    "of the deepest. `weft apply` makes the tile of another map from MODEL.";
+    "of the deepest. `weft apply` makes the tile of another map from MODEL. On a terminal the pyramid's level, the\n"
+    "iteration in it and the two costs so far are shown.";
 
 enum { MEASURES_COUNT = 4 };
 
@@ -91,10 +92,9 @@ static void note_step(void* user, const weft_stationary_step* step) WEFT_NOEXCEP
     char text[96], stationarity[32] = "";
     *(float*)user = step->texture_cost;
     if (step->stationarity_cost >= 0)
-        snprintf(stationarity, sizeof stationarity, ", stationarity %.2f", (double)step->stationarity_cost);
-    snprintf(text, sizeof text, "level %u/%u, %u x %u, iteration %u/%u: texture %.2f%s", step->level + 1, step->levels,
-             step->width, step->height, step->iteration + 1, step->iterations, (double)step->texture_cost,
-             stationarity);
+        snprintf(stationarity, sizeof stationarity, ", stationarity %.1f", (double)step->stationarity_cost);
+    snprintf(text, sizeof text, "level %u/%u %ux%u, %u/%u: texture %.1f%s", step->level + 1, step->levels, step->width,
+             step->height, step->iteration + 1, step->iterations, (double)step->texture_cost, stationarity);
     progress_note(text);
 }
 
