@@ -40,11 +40,11 @@ static int is_finite(float value) { return value - value == 0; }
 
 static void check_info(const weft_model* model, const weft_model_info* info)
 {
-    const int has_parts = info->method == WEFT_METHOD_TEXTON || info->method == WEFT_METHOD_PICTURE;
-    FUZZ_CHECK(has_parts || info->method == WEFT_METHOD_WAVELET);
-    FUZZ_CHECK(info->channels >= 1 && info->channels <= 16 && (info->parts >= 1) == has_parts);
-    FUZZ_CHECK((info->width >= 1) == has_parts && info->width <= 16384);
-    FUZZ_CHECK((info->height >= 1) == has_parts && info->height <= 16384);
+    const int wavelet = info->method == WEFT_METHOD_WAVELET, tile = info->method == WEFT_METHOD_STATIONARY;
+    FUZZ_CHECK(wavelet || tile || info->method == WEFT_METHOD_TEXTON || info->method == WEFT_METHOD_PICTURE);
+    FUZZ_CHECK(info->channels >= 1 && info->channels <= 16 && (info->parts == 0) == wavelet);
+    FUZZ_CHECK(info->width <= 16384 && info->height <= 16384 && (info->width == 0) == wavelet);
+    FUZZ_CHECK((info->photo_width > 0) == tile && (info->photo_height > 0) == tile);
     FUZZ_CHECK(info->model_error == -1 || (info->model_error >= 0 && is_finite(info->model_error)));
     for (uint32_t c = 0; c < info->channels; ++c) FUZZ_CHECK(is_finite(info->mean[c]) && info->deviation[c] >= 0);
     for (uint32_t i = 0; i < info->parts; ++i) {
@@ -78,12 +78,27 @@ static void check_wavelet(weft_context* context, const weft_model* model, const 
     weft_model_free(again);
 }
 
+/* Whatever the correspondence says, it says of the photo's pixels. */
+static void check_apply(const weft_model* model, const weft_model_info* info)
+{
+    enum { most = 1 << 16 };
+    static uint8_t map[most], tile[most];
+    if ((uint64_t)info->photo_width * info->photo_height > most || (uint64_t)info->width * info->height > most) return;
+    if (info->method != WEFT_METHOD_STATIONARY) return;
+    const weft_image from = {map, 0, info->photo_width, info->photo_height, 1, WEFT_FORMAT_U8},
+                     to = {tile, 0, info->width, info->height, 1, WEFT_FORMAT_U8};
+    memset(map, 77, sizeof map);
+    FUZZ_CHECK(weft_model_apply(model, &from, &to) == WEFT_OK);
+    for (uint32_t i = 0; i < info->width * info->height; ++i) FUZZ_CHECK(tile[i] == 77);
+}
+
 void fuzz_check_model(weft_context* context, const weft_model* model)
 {
     weft_model_info info = WEFT_MODEL_INFO_INIT;
     weft_model* again = NULL;
     FUZZ_CHECK(weft_model_get(model, &info) == WEFT_OK);
     check_info(model, &info);
+    check_apply(model, &info);
     FUZZ_CHECK(info.bytes < UINT64_C(64) << 20);
     uint8_t* first = save(model, &info);
     FUZZ_CHECK(weft_model_load(context, first, (size_t)info.bytes, &again) == WEFT_OK);

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 static const char *const golden_models[] = {"linear_rgb", "nearest_grey", "cubic_rgb", "quintic_grey",
-                                            "linear_16",  "picture_rgb",  "picture_5"};
+                                            "linear_16",  "picture_rgb",  "picture_5", "tile_rgb"};
 #define GOLDEN_MODELS (sizeof golden_models / sizeof *golden_models)
 
 typedef struct Golden_view {
@@ -52,7 +52,7 @@ static inline uint64_t golden_checksum(weft_context *context, const weft_model *
     weft_point points[40];
     float out[40 * 16];
     assert_ok(weft_model_get(model, &info));
-    const int picture = info.method == WEFT_METHOD_PICTURE;
+    const int picture = info.method == WEFT_METHOD_PICTURE || info.method == WEFT_METHOD_STATIONARY;
     options.impacts = view->impacts;
     options.seed = view->seed;
     options.period_x = picture && view->period ? 2 * info.width : view->period;

@@ -15,6 +15,9 @@ LONGER(weft_context_options);
 LONGER(weft_texton_options);
 LONGER(weft_texture_options);
 LONGER(weft_compare_options);
+LONGER(weft_stationary_options);
+LONGER(weft_stationarity_options);
+LONGER(weft_texture_cost_options);
 LONGER(weft_device_info);
 LONGER(weft_model_info);
 LONGER(weft_part_info);
@@ -42,7 +45,7 @@ static int end(void **state)
     return 0;
 }
 
-/* The four functions that read a struct, each as "what does the call say when given these bytes". */
+/* The functions that read a struct, each as "what does the call say when given these bytes". */
 static weft_status read_context(const void *options)
 {
     weft_context *made = NULL;
@@ -71,6 +74,26 @@ static weft_status read_compare(const void *options)
 {
     weft_comparison comparison = WEFT_COMPARISON_INIT;
     return weft_compare(context, &photo, &photo, options, NULL, NULL, &comparison);
+}
+
+static weft_status read_stationary(const void *options)
+{
+    weft_model *made = NULL;
+    const weft_status status = weft_analyze_stationary(context, &photo, options, NULL, NULL, &made);
+    weft_model_free(made);
+    return status;
+}
+
+static weft_status read_stationarity(const void *options)
+{
+    float cost;
+    return weft_stationarity_cost(context, &photo, options, NULL, NULL, NULL, &cost);
+}
+
+static weft_status read_texture_cost(const void *options)
+{
+    float cost;
+    return weft_texture_cost(context, &photo, &photo, options, NULL, NULL, &cost);
 }
 
 /* `options` has `size` bytes that mean something and TAIL bytes behind them. */
@@ -145,6 +168,30 @@ static void shorter_options(void **state)
     const weft_compare_options compare_options = WEFT_COMPARE_OPTIONS_INIT;
     const uint32_t compare_ends[] = {END_OF(weft_compare_options, size), END_OF(weft_compare_options, zero)};
     shorter(read_compare, &compare_options, sizeof compare_options, compare_ends, 2);
+}
+
+/* Small tiles, so that they take little time. */
+static void options_of_tiles(void **state)
+{
+    (void)state;
+    weft_stationary_options fresh = WEFT_STATIONARY_OPTIONS_INIT;
+    const weft_stationarity_options fresh_stationarity = WEFT_STATIONARITY_OPTIONS_INIT;
+    const weft_texture_cost_options fresh_cost = WEFT_TEXTURE_COST_OPTIONS_INIT;
+    fresh.width = fresh.height = 64;
+    Longer_weft_stationary_options options = {fresh};
+    Longer_weft_stationarity_options stationarity_options = {fresh_stationarity};
+    Longer_weft_texture_cost_options cost_options = {fresh_cost};
+    longer(read_stationary, &options, sizeof fresh, "weft_analyze_stationary");
+    longer(read_stationarity, &stationarity_options, sizeof fresh_stationarity, "weft_stationarity_cost");
+    longer(read_texture_cost, &cost_options, sizeof fresh_cost, "weft_texture_cost");
+    const uint32_t ends[] = {END_OF(weft_stationary_options, height), END_OF(weft_stationary_options, patch),
+                             END_OF(weft_stationary_options, seed), END_OF(weft_stationary_options, sigma_map)};
+    shorter(read_stationary, &fresh, sizeof fresh, ends, 4);
+    const uint32_t stationarity_ends[] = {END_OF(weft_stationarity_options, size),
+                                          END_OF(weft_stationarity_options, sigma)};
+    shorter(read_stationarity, &fresh_stationarity, sizeof fresh_stationarity, stationarity_ends, 2);
+    const uint32_t cost_ends[] = {END_OF(weft_texture_cost_options, patch), END_OF(weft_texture_cost_options, zero)};
+    shorter(read_texture_cost, &fresh_cost, sizeof fresh_cost, cost_ends, 2);
 }
 
 /* A field that is there is read, however short the struct: support 4 in the first eight bytes. */
@@ -247,7 +294,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(longer_options),         cmocka_unit_test(shorter_options),
         cmocka_unit_test(a_short_struct_is_read), cmocka_unit_test(results_of_every_size),
-        cmocka_unit_test(zero_is_the_default),
+        cmocka_unit_test(zero_is_the_default),    cmocka_unit_test(options_of_tiles),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

@@ -106,6 +106,38 @@ static weft_status call_describe(weft_context *context, Report *report)
     return status;
 }
 
+static weft_status call_analyze_stationary(weft_context *context, Report *report)
+{
+    weft_model *made = UNTOUCHED;
+    weft_stationary_options options = WEFT_STATIONARY_OPTIONS_INIT;
+    options.width = options.height = 64;
+    options.stationarity = 1 + (weft_stationarity)(report->cancel_at % 4);
+    const weft_status status = weft_analyze_stationary(context, &photo, &options, on_progress, report, &made);
+    if (status == WEFT_OK)
+        weft_model_free(made);
+    else
+        assert_ptr_equal(made, UNTOUCHED);
+    return status;
+}
+
+static weft_status call_texture_cost(weft_context *context, Report *report)
+{
+    float cost = 7;
+    weft_status status = weft_texture_cost(context, &photo, &output, NULL, on_progress, report, &cost);
+    if (status != WEFT_OK) assert_true(cost == 7);
+    return status;
+}
+
+static weft_status call_stationarity_cost(weft_context *context, Report *report)
+{
+    float cost = 7;
+    weft_stationarity_options options = WEFT_STATIONARITY_OPTIONS_INIT;
+    options.stationarity = 1 + (weft_stationarity)(report->cancel_at % 3);
+    const weft_status status = weft_stationarity_cost(context, &output, &options, on_progress, report, NULL, &cost);
+    if (status != WEFT_OK) assert_true(cost == 7);
+    return status;
+}
+
 static weft_status observed(Call call, const char *device, uint32_t threads, uint32_t cancel_at, Report *report)
 {
     const Report fresh = {pthread_self(), 0, cancel_at, 0, -1, -1, 0, 0, 0};
@@ -180,6 +212,14 @@ static void description(void **state)
     observe(call_describe, 6);
 }
 
+static void tiles_and_costs(void **state)
+{
+    (void)state;
+    observe(call_analyze_stationary, 12);
+    observe(call_texture_cost, 2);
+    observe(call_stationarity_cost, 3);
+}
+
 /* What was cancelled can be done again, with the same result as if nothing had happened. */
 static void again_after_cancelling(void **state)
 {
@@ -200,8 +240,13 @@ static void again_after_cancelling(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(analysis),   cmocka_unit_test(wavelet_analysis), cmocka_unit_test(rendering),
-        cmocka_unit_test(comparison), cmocka_unit_test(description),      cmocka_unit_test(again_after_cancelling),
+        cmocka_unit_test(analysis),
+        cmocka_unit_test(wavelet_analysis),
+        cmocka_unit_test(rendering),
+        cmocka_unit_test(comparison),
+        cmocka_unit_test(description),
+        cmocka_unit_test(tiles_and_costs),
+        cmocka_unit_test(again_after_cancelling),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

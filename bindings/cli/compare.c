@@ -18,6 +18,9 @@ static const char notes[] =
     "  repetition            highest far peak of the autocovariance, against a noise that never repeats\n"
     "  verbatim_copy         share of windows whose neighbours are copied along with them\n"
     "  seam_score            how much the output's borders stand out when it is laid beside itself\n"
+    "  stationarity_cost     how much places of the output differ from one another, in Lab units; the exemplar's\n"
+    "                        is beside it\n"
+    "  texture_cost          squared distance of the output's 11 x 11 patches to the exemplar's, in Lab units\n"
     "What a method does not promise it may miss: texton noise promises mean, covariance and spectrum, and\n"
     "neither the histogram nor the patches of a photo with structure. A measure that is not defined for\n"
     "images this small or this constant is `-`, null in JSON.";
@@ -28,9 +31,13 @@ typedef struct measure {
     const char* good;
 } measure;
 
-enum { MEASURES = 10 };
+enum { MEASURES = 13 };
 
-static void list_measures(const weft_comparison* c, measure list[MEASURES])
+typedef struct tile_costs {
+    float exemplar, output, texture;
+} tile_costs;
+
+static void list_measures(const weft_comparison* c, const tile_costs* costs, measure list[MEASURES])
 {
     const measure all[MEASURES] = {
         {"model_error", c->model_error, "below 0.15"},
@@ -43,14 +50,15 @@ static void list_measures(const weft_comparison* c, measure list[MEASURES])
         {"repetition", c->repetition, "below 1.6; 1 is a noise that never repeats"},
         {"verbatim_copy", c->verbatim_copy, "below 0.5; about 0.3 is chance"},
         {"seam_score", c->seam_score, "between -2 and 2, if the output is to tile"},
+        {"stationarity_cost", costs->output, NULL},
+        {"exemplar_stationarity_cost", costs->exemplar, NULL},
+        {"texture_cost", costs->texture, NULL},
     };
     memcpy(list, all, sizeof all);
 }
 
-static void write_json(const weft_comparison* comparison)
+static void write_json(const measure list[MEASURES])
 {
-    measure list[MEASURES];
-    list_measures(comparison, list);
     json out = json_begin(stdout);
     json_object(&out, NULL);
     for (int i = 0; i < MEASURES; i++) {
@@ -62,29 +70,49 @@ static void write_json(const weft_comparison* comparison)
     json_end(&out);
 }
 
-static void write_text(const weft_comparison* comparison)
+static void write_text(const measure list[MEASURES])
 {
-    measure list[MEASURES];
-    list_measures(comparison, list);
     for (int i = 0; i < MEASURES; i++) {
         char value[32] = "-";
         if (list[i].value != -1.0f) snprintf(value, sizeof value, "%.4f", (double)list[i].value);
-        printf("%-24s %10s%s%s\n", list[i].key, value, list[i].good ? "   good: " : "",
+        printf("%-26s %10s%s%s\n", list[i].key, value, list[i].good ? "   good: " : "",
                list[i].good ? list[i].good : "");
     }
+}
+
+/* Fewer patches are looked for in an exemplar beyond a megapixel. */
+static int measure_costs(weft_context* context, const weft_image images[2], uint64_t seed, tile_costs* costs)
+{
+    weft_texture_cost_options options = WEFT_TEXTURE_COST_OPTIONS_INIT;
+    uint64_t area = (uint64_t)images[0].width * images[0].height, samples = ((uint64_t)256 << 20) / area;
+    progress_span whole = {0.5, 1};
+    options.samples = (uint32_t)(samples > 256 ? 256 : samples < 16 ? 16 : samples);
+    options.seed = seed;
+    weft_status status =
+        weft_texture_cost(context, &images[0], &images[1], &options, progress_step, &whole, &costs->texture);
+    if (status == WEFT_OK)
+        status = weft_stationarity_cost(context, &images[0], NULL, NULL, NULL, NULL, &costs->exemplar);
+    if (status == WEFT_OK) status = weft_stationarity_cost(context, &images[1], NULL, NULL, NULL, NULL, &costs->output);
+    progress_clear();
+    return status == WEFT_OK ? EXIT_FINE : failed_weft(status);
 }
 
 static int compare(weft_context* context, const weft_image images[2], const weft_compare_options* options, int as_json)
 {
     weft_comparison comparison = WEFT_COMPARISON_INIT;
-    progress_span whole = {0, 1};
-    weft_status status = weft_compare(context, &images[0], &images[1], options, progress_step, &whole, &comparison);
+    tile_costs costs;
+    measure list[MEASURES];
+    progress_span half = {0, 0.5};
+    weft_status status = weft_compare(context, &images[0], &images[1], options, progress_step, &half, &comparison);
     progress_clear();
     if (status != WEFT_OK) return failed_weft(status);
+    int code = measure_costs(context, images, options->seed, &costs);
+    if (code != EXIT_FINE) return code;
+    list_measures(&comparison, &costs, list);
     if (as_json)
-        write_json(&comparison);
+        write_json(list);
     else
-        write_text(&comparison);
+        write_text(list);
     return EXIT_FINE;
 }
 

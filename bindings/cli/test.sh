@@ -55,14 +55,14 @@ expect 2 "$weft" nonsense
 expect 0 "$weft" --help
 expect 0 "$weft" --version
 says '^weft [0-9]*\.[0-9]*\.[0-9]*, libweft '
-for command in analyze describe render info export import mix sheet compare devices bench; do
+for command in analyze describe render info export import mix sheet tile apply compare devices bench; do
     expect 0 "$weft" $command --help
     says 'exit codes: 0 fine, 1 the work failed, 2 wrong usage, 3 cancelled'
     expect 2 "$weft" $command --no-such-option
     expect 2 "$weft" $command --threads 0
     expect 2 "$weft" $command --threads
 done
-for command in analyze describe render info export import mix sheet compare bench; do expect 2 "$weft" $command; done
+for command in analyze describe render info export import mix sheet tile apply compare bench; do expect 2 "$weft" $command; done
 
 # Devices
 expect 0 "$weft" devices
@@ -252,6 +252,53 @@ expect 2 "$weft" mix wavelet.weft knots.weft -o bad.weft --t 1.5
 expect 1 "$weft" mix first.weft knots.weft -o bad.weft --steps 3
 absent bad.weft bad.png
 
+# Tiles: one seed, one tile; it repeats; its model gives it back, and that of another map
+expect 0 "$weft" tile "$photo" -o tile.png --model tile.weft --size 72x64 --seed 3
+says '^tile.png: 72 x 64, sigma 0.100, stationarity cost '
+expect 0 "$weft" tile "$photo" -o tile2.png --model tile2.weft --size 72x64 --seed 3 --threads 1 --json
+valid_json out
+says '"sigma": 0.1'
+same tile.png tile2.png "one seed, any number of threads"
+same tile.weft tile2.weft "one seed, any number of threads"
+expect 0 "$weft" render tile.weft -o tiled.png --size 72x64 --at -720,128
+same tile.png tiled.png "a tile repeats after itself"
+expect 0 "$weft" apply tile.weft "$photo" -o applied.png
+same tile.png applied.png "the photo applied to its own model"
+expect 0 "$weft" apply tile.weft photo16.png -o applied16.png --json
+valid_json out
+says '"depth": 16'
+expect 0 "$weft" info tile.weft
+says '^method *stationary'
+expect 0 "$weft" export tile.weft tile_parts
+for file in tile.png correspondence.png model.json; do [ -s "tile_parts/$file" ] || bad "export wrote no $file"; done
+valid_json tile_parts/model.json
+expect 0 "$weft" analyze "$photo" -o stationary.weft --method stationary
+says '^stationary.weft: stationary of 256 x 256, channels 3'
+expect 0 "$weft" tile "$photo" -o tile2.png --size 72x64 --measure none --json
+says '"sigma": null'
+expect 0 "$weft" tile "$photo" -o tile2.png --size 64x64 --measure moments --moments 4 --scale coarse --patch 7
+expect 0 "$weft" tile "$photo" -o tile2.png --size 64x64 --measure steerable --sigma 0.2 --quiet
+[ ! -s out ] || bad "--quiet is not quiet"
+expect 0 "$weft" tile "$photo" -o tile2.png --size 64x64 --sigma-map map.png
+expect 0 "$weft" tile "$photo" -o tile2.png --size 64x64 --stationarity 0.5
+expect 0 "$weft" tile "$photo" "$photo" photo16.png -o tile-%d.png --size 72x64 --seed 3
+same tile-1.png tile-2.png "two maps that are one"
+expect 0 "$weft" tile "$photo" -o sheet.png --size 64x64 --palette 2
+says '^column  2: --stationarity 1.000'
+expect 0 "$weft" tile "$photo" -o sheet.png --size 64x64 --palette 3 --json
+valid_json out
+expect 1 "$weft" apply tile.weft tile.png -o bad.png
+expect 1 "$weft" apply photo.weft "$photo" -o bad.png
+expect 1 "$weft" tile "$photo" -o bad.png --size 64x64 --sigma-map "$photo"
+for bad_option in "--size 63x64" "--size 64x2049" "--sigma 0.01" "--sigma 2" "--stationarity 1.5" "--measure median" "--palette 1" \
+    "--scale 4" "--patch 8" "--moments 5" "--sigma 0.1 --stationarity 0.5" "--palette 3 --sigma 0.1" \
+    "--measure none --sigma 0.1" "--json -o -"; do
+    # shellcheck disable=SC2086
+    expect 2 "$weft" tile "$photo" -o bad.png $bad_option
+done
+expect 2 "$weft" apply tile.weft "$photo"
+absent bad.png
+
 # Several maps of one surface
 expect 0 "$weft" render photo.weft -o one.png --size 64x64
 expect 0 "$weft" analyze "$grey" -o grey.weft --method picture
@@ -297,6 +344,7 @@ absent bad.png
 # Comparison
 expect 0 "$weft" compare one.png one.png
 says '^model_error'
+says '^texture_cost'
 expect 0 "$weft" compare one.png one.png --json --seed 3
 valid_json out
 expect 1 "$weft" compare one.png two.png

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* function = "weft_describe";
 constexpr std::uint32_t least_side = 16, most_side_seen = 512, realisations = 4, blocks = 8, least_lag = 4;
 constexpr double least_peak = 0.15, least_prominence = 0.15; // of an autocovariance, relative to lag 0
-constexpr double structured = 0.16, isotropic = 0.085, normal_enough = 0.08;
+constexpr double structured = 0.16, isotropic = 0.085, normal_enough = 0.08, too_uneven = 0.1;
 
 /// The middle of the first principal channel, at most 512 x 512 pixels of it.
 Planes middle_of(Core& core, const weft_image& photo)
@@ -185,7 +185,12 @@ void recommend(const Measures& found, weft_description& description)
     };
     const bool tone_helps =
         found.anisotropy < isotropic && found.histogram > normal_enough && found.toned <= structured;
-    if (found.structure > structured && !tone_helps)
+    if (found.structure > structured && !tone_helps && found.unevenness > too_uneven)
+        say(WEFT_METHOD_STATIONARY,
+            Sentence("Structure that no Gaussian noise has (", structure, ", above ", rounded(structured),
+                     "), and places that differ (", rounded(found.unevenness), ", above ", rounded(too_uneven),
+                     "), which would show when it is repeated: a stationary tile evens them out."));
+    else if (found.structure > structured && !tone_helps)
         say(WEFT_METHOD_PICTURE,
             Sentence("Structure that no Gaussian noise has (", structure, ", above ", rounded(structured),
                      "): a picture keeps it, and repeats; noise would keep only its colours and grain."));

@@ -88,7 +88,7 @@ void check_image(const weft_image* image, const char* function, const char* argu
 }
 
 Planes read_image(const weft_image& image, std::pmr::memory_resource* memory, Parallel& parallel, const char* function,
-                  const char* argument)
+                  const char* argument, const Progress& progress)
 {
     Planes planes(memory, image.width, image.height, image.channels, Array<float>::unset);
     constexpr std::uint32_t rows_a_task = 64;
@@ -102,7 +102,15 @@ Planes read_image(const weft_image& image, std::pmr::memory_resource* memory, Pa
             }
         }
     };
-    parallel.for_each_index((image.height + rows_a_task - 1) / rows_a_task, std::ref(read));
+    const std::uint32_t tasks = (image.height + rows_a_task - 1) / rows_a_task;
+    const std::uint64_t values_a_task = std::uint64_t{rows_a_task} * image.width * image.channels;
+    const std::uint32_t batch = std::max(parallel.width(), static_cast<std::uint32_t>((1u << 23) / values_a_task));
+    for (std::uint32_t first = 0; first < tasks; first += batch) {
+        const std::uint32_t count = std::min(batch, tasks - first);
+        const auto read_from = [&](std::uint32_t task) { read(first + task); };
+        parallel.for_each_index(count, std::ref(read_from));
+        progress.at(static_cast<double>(first + count) / tasks);
+    }
     require(spoiled == image.height, function, ": ", argument, " has a value in row ", spoiled.load(),
             " that is not finite, or beyond 2^64");
     return planes;

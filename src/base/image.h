@@ -2,6 +2,7 @@
 #pragma once
 #include "base/array.h"
 #include "base/parallel.h"
+#include "base/progress.h"
 #include <weft/weft.h>
 
 namespace weft {
@@ -16,7 +17,7 @@ std::int64_t stride_of(const weft_image& image) noexcept; ///< in bytes, never 0
 /// A checked image as planes of floats; integers become value / 255 or / 65535. Throws if a float is not finite, or
 /// beyond 2^64.
 Planes read_image(const weft_image& image, std::pmr::memory_resource* memory, Parallel& parallel, const char* function,
-                  const char* argument);
+                  const char* argument, const Progress& progress = Progress());
 
 /// Writes `rows` rows of planar floats (plane c, row y at source + (c * plane_rows + y) * stride) to the image from
 /// (x, y) on: F32 as they are, integers rounded to nearest and clamped.

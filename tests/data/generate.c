@@ -5,6 +5,7 @@
  * are kept. The checksums follow from the models alone and are written anew only when a release changes pixels on
  * purpose. */
 #include "golden.h"
+#include "stained.h"
 #include <string.h>
 
 static void write_model(weft_model *model, const char *folder, const char *name)
@@ -44,6 +45,7 @@ static void write_models(const char *folder)
     write_model(analyzed(context, GRAIN_SOFT, 16, 8, WEFT_INTERPOLATION_LINEAR), folder, "linear_16");
     write_model(new_picture(context, 24, 18, 3, 1), folder, "picture_rgb");
     write_model(new_picture(context, 7, 9, 5, 2), folder, "picture_5");
+    write_model(new_tile(context, 72, 64, 3, 3), folder, "tile_rgb");
     weft_context_free(context);
 }
 
