@@ -123,7 +123,7 @@ static void a_seed_gives_the_same_tile_everywhere(void **state)
 {
     (void)state;
     static const uint64_t expected[4] = {UINT64_C(0x681b21c14c122172), UINT64_C(0xb09e4cae2d8682c3),
-                                         UINT64_C(0x298e5d0185579d23), UINT64_C(0xd1c8359e43228e50)};
+                                         UINT64_C(0xc98e73013e47553a), UINT64_C(0xd1c8359e43228e50)};
     int wrong = 0;
     weft_image grain = new_stained(STAIN_BLOTCHES, 96, 80, 7), bytes = new_image(96, 80, 3, WEFT_FORMAT_U8);
     for (size_t i = 0; i < 96 * 80 * 3; ++i) ((uint8_t *)bytes.data)[i] = (uint8_t)(values(&grain)[i] * 255);
