@@ -118,6 +118,34 @@ static void formats_and_strides_change_nothing(void **state)
     free_image(&floats);
 }
 
+/* Written anew only when a release changes tiles on purpose. */
+static void a_seed_gives_the_same_tile_everywhere(void **state)
+{
+    (void)state;
+    static const uint64_t expected[4] = {UINT64_C(0x681b21c14c122172), UINT64_C(0xb09e4cae2d8682c3),
+                                         UINT64_C(0xc98e73013e47553a), UINT64_C(0xd1c8359e43228e50)};
+    int wrong = 0;
+    weft_image grain = new_stained(STAIN_BLOTCHES, 96, 80, 7), bytes = new_image(96, 80, 3, WEFT_FORMAT_U8);
+    for (size_t i = 0; i < 96 * 80 * 3; ++i) ((uint8_t *)bytes.data)[i] = (uint8_t)(values(&grain)[i] * 255);
+    for (int i = 0; i < 4; ++i) {
+        weft_stationary_options options = sized(80, 72);
+        size_t size = 0;
+        options.stationarity = 1 + i;
+        options.moments = 4;
+        options.seed = 1;
+        weft_model *model = analyzed(context, &bytes, &options);
+        void *file = saved(model, &size);
+        const uint64_t sum = checksum(file, size);
+        if (sum != expected[i]) print_error("measure %d: %016llx\n", i + 1, (unsigned long long)sum);
+        wrong += sum != expected[i];
+        free(file);
+        weft_model_free(model);
+    }
+    assert_int_equal(wrong, 0);
+    free_image(&grain);
+    free_image(&bytes);
+}
+
 static void seeds_give_other_tiles(void **state)
 {
     (void)state;
@@ -369,9 +397,13 @@ static void every_iteration_is_reported(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(threads_change_nothing),        cmocka_unit_test(formats_and_strides_change_nothing),
-        cmocka_unit_test(seeds_give_other_tiles),        cmocka_unit_test(maps_are_put_together_as_the_photo_was),
-        cmocka_unit_test(colours_are_within_the_photos), cmocka_unit_test(tiles_repeat_exactly_on_every_device),
+        cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(formats_and_strides_change_nothing),
+        cmocka_unit_test(seeds_give_other_tiles),
+        cmocka_unit_test(a_seed_gives_the_same_tile_everywhere),
+        cmocka_unit_test(maps_are_put_together_as_the_photo_was),
+        cmocka_unit_test(colours_are_within_the_photos),
+        cmocka_unit_test(tiles_repeat_exactly_on_every_device),
         cmocka_unit_test(every_iteration_is_reported),
     };
     return cmocka_run_group_tests(tests, begin, end);

@@ -39,12 +39,6 @@ std::int16_t sixteenths(float value) noexcept
     return static_cast<std::int16_t>(static_cast<int>(value * static_cast<float>(lab_scale) + upwards) - 4096);
 }
 
-/// The part of `sources` values that falls into part i of `parts`: the first, and the weights of as many as follow.
-struct Box {
-    std::uint32_t first = 0, count = 0;
-    float weights[66] = {};
-};
-
 } // namespace
 
 void Lab_picture::wrap() noexcept

@@ -109,15 +109,11 @@ private:
     }
 };
 
-} // namespace
-
-float stationarity_cost(Core& core, const weft_image& image, const weft_stationarity_options& options,
-                        const Progress& progress, const weft_image* map)
+/// Each place's mean distance.
+Array<double> costs_of(Core& core, const Planes& lab, const weft_stationarity_options& options, const Local_grid& grid,
+                       const Progress& progress)
 {
-    progress.at(0);
-    const Planes lab = lab_planes(core, image, function, "image");
     const std::uint32_t width = lab.width, height = lab.height;
-    const Local_grid grid = map ? Local_grid{map->width, map->height} : usual_grid(width, height);
     const double sigma = static_cast<double>(options.sigma) * std::min(width, height);
     Measurement measurement{core,
                             options,
@@ -139,15 +135,36 @@ float stationarity_cost(Core& core, const weft_image& image, const weft_stationa
                                            part.part(0.5 + 0.5 * o / bands.count, 0.5 + 0.5 * (o + 1) / bands.count));
         }
     }
+    return std::move(measurement.cost);
+}
+
+float mean_of(const Array<double>& costs) noexcept
+{
     double sum = 0;
+    for (const double cost : costs) sum += cost;
+    return static_cast<float>(sum / static_cast<double>(costs.size()));
+}
+
+} // namespace
+
+float stationarity_cost(Core& core, const Planes& lab, const weft_stationarity_options& options,
+                        const Progress& progress)
+{
+    return mean_of(costs_of(core, lab, options, usual_grid(lab.width, lab.height), progress));
+}
+
+float stationarity_cost(Core& core, const weft_image& image, const weft_stationarity_options& options,
+                        const Progress& progress, const weft_image* map)
+{
+    progress.at(0);
+    const Planes lab = lab_planes(core, image, function, "image");
+    const Local_grid grid = map ? Local_grid{map->width, map->height} : usual_grid(lab.width, lab.height);
+    const Array<double> costs = costs_of(core, lab, options, grid, progress);
     Planes result(&core.memory, grid.columns, grid.rows, 1, Array<float>::unset);
-    for (std::size_t i = 0; i < grid.count(); ++i) {
-        sum += measurement.cost[i];
-        result.values[i] = static_cast<float>(measurement.cost[i]);
-    }
+    for (std::size_t i = 0; i < grid.count(); ++i) result.values[i] = static_cast<float>(costs[i]);
     progress.at(1);
     if (map) write_window(*map, 0, 0, grid.columns, grid.rows, result.plane(0), grid.columns, grid.rows);
-    return static_cast<float>(sum / static_cast<double>(grid.count()));
+    return mean_of(costs);
 }
 
 } // namespace weft

@@ -1,5 +1,6 @@
 /// How much the neighbourhoods of an image differ from one another: c_stat (Moritz et al. 2017, equation 1).
 #pragma once
+#include "base/array.h"
 #include "base/core.h"
 #include "base/progress.h"
 
@@ -8,5 +9,9 @@ namespace weft {
 /// As weft_stationarity_cost has it; options are complete, images checked. `map` may be NULL.
 float stationarity_cost(Core& core, const weft_image& image, const weft_stationarity_options& options,
                         const Progress& progress, const weft_image* map);
+
+/// The same of planes of L*, a*, b* or of L* alone, on the usual grid.
+float stationarity_cost(Core& core, const Planes& lab, const weft_stationarity_options& options,
+                        const Progress& progress);
 
 } // namespace weft

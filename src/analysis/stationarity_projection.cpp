@@ -31,18 +31,23 @@ void write(Core& core, const Planes& planes, Lab_picture& tile)
     });
 }
 
-/// Each channel moves by what its equalised responses add to it.
+/// Each channel is taken apart into its responses and what they leave; both are equalised, and put together again.
+/// Without the rest, large stains would stay: no response sees them.
 void equalise_orientations(Core& core, Planes& planes, const Neighbourhoods& around, const Progress& progress)
 {
     Planes responses(&core.memory, planes.width, planes.height, orientations);
-    Planes even(&core.memory, planes.width, planes.height, orientations);
+    Planes rest(&core.memory, planes.width, planes.height, 1, Array<float>::unset);
     for (std::uint32_t c = 0; c < planes.count; ++c) {
         const Progress share = progress.part(static_cast<double>(c) / planes.count, (c + 1.0) / planes.count);
-        steerable_responses(core, planes, c, responses, share.part(0, 0.3));
-        std::copy(responses.values.begin(), responses.values.end(), even.values.begin());
-        equalise(core, even, around, 0, share.part(0.3, 0.7));
-        for (std::size_t i = 0; i < even.values.size(); ++i) even.values[i] -= responses.values[i];
-        add_steerable(core, even, planes, c, share.part(0.7, 1));
+        std::copy_n(planes.plane(c), planes.area(), rest.plane(0));
+        steerable_responses(core, planes, c, responses, share.part(0, 0.2));
+        for (float& value : responses.values) value = -value;
+        add_steerable(core, responses, rest, 0, share.part(0.2, 0.4));
+        for (float& value : responses.values) value = -value;
+        equalise(core, rest, around, 0, share.part(0.4, 0.5));
+        equalise(core, responses, around, 0, share.part(0.5, 0.8));
+        add_steerable(core, responses, rest, 0, share.part(0.8, 1));
+        std::copy_n(rest.plane(0), planes.area(), planes.plane(c));
     }
 }
 

@@ -1,6 +1,7 @@
 /// Algorithm 1 of the paper: from coarse to fine, histogram, stationarity, patches, and again.
 #include "analysis/stationarization.h"
 #include "analysis/patch_match.h"
+#include "analysis/stationarity_cost.h"
 #include "analysis/stationarity_projection.h"
 #include "analysis/tile_histogram.h"
 #include "analysis/vote.h"
@@ -134,6 +135,7 @@ private:
         const Progress rest = progress.part(0.1, 1);
         vote(core_, field_, exemplar, tile, rest.part(0, 0.5 / (level.iterations + 0.5)));
         for (std::uint32_t i = 0; i < level.iterations; ++i) {
+            watch(tile, i);
             const double share = 1 / (level.iterations + 0.5);
             const Progress part = rest.part((i + 0.5) * share, (i + 1.5) * share);
             match_histogram(core_, goal, tile, part.part(0, 0.05));
@@ -163,6 +165,20 @@ private:
         field_ = std::move(field);
     }
 
+    /// For whoever is told: how stationary the tile is as it was voted; of a large one once a level, as it takes time.
+    void watch(const Lab_picture& tile, std::uint32_t iteration)
+    {
+        constexpr std::size_t large = 128 * 128;
+        if (!options_.report || (iteration > 0 && std::size_t{tile.width} * tile.height > large)) return;
+        Planes lab(&core_.memory, tile.width, tile.height, tile.channels, Array<float>::unset);
+        for (std::uint32_t y = 0; y < tile.height; ++y)
+            for (std::uint32_t x = 0; x < tile.width; ++x)
+                for (std::uint32_t c = 0; c < tile.channels; ++c)
+                    lab.row(c, y)[x] = static_cast<float>(tile.at(x, y)[c]) / lab_scale;
+        const weft_stationarity_options usual = {sizeof usual, WEFT_STATIONARITY_HISTOGRAM, 0.1f, 2};
+        stationarity_cost_ = stationarity_cost(core_, lab, usual, Progress());
+    }
+
     void tell(const Levels& plan, std::uint32_t number, std::uint32_t iteration) const
     {
         if (!options_.report) return;
@@ -176,7 +192,7 @@ private:
         step.width = level.width;
         step.height = level.height;
         step.texture_cost = static_cast<float>(texture_cost());
-        step.stationarity_cost = -1;
+        step.stationarity_cost = stationarity_cost_;
         options_.report(options_.report_user, &step);
     }
 
@@ -186,6 +202,7 @@ private:
     Planes factors_;
     Match_field field_;
     double mean_distance_ = 0;
+    float stationarity_cost_ = -1; ///< as last watched
 };
 
 } // namespace
