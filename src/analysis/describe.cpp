@@ -17,7 +17,7 @@ namespace {
 constexpr const char* function = "weft_describe";
 constexpr std::uint32_t least_side = 16, most_side_seen = 512, realisations = 4, blocks = 8, least_lag = 4;
 constexpr double least_peak = 0.15, least_prominence = 0.15; // of an autocovariance, relative to lag 0
-constexpr double structured = 0.16, isotropic = 0.085, normal_enough = 0.08, too_uneven = 0.1;
+constexpr double structured = 0.16, isotropic = 0.085, normal_enough = 0.08, too_uneven = 0.05;
 
 /// The middle of the first principal channel, at most 512 x 512 pixels of it.
 Planes middle_of(Core& core, const weft_image& photo)
