@@ -1,7 +1,7 @@
 /// What a bi-layer model holds: the structure layer with its masks, how it is put together anew, and a noise per mask.
 #pragma once
 #include "base/array.h"
-#include "model/wavelet.h"
+#include "model/colour_axes.h"
 #include <cstdint>
 #include <vector>
 
@@ -39,22 +39,18 @@ struct Exchange {
     Array<std::uint8_t> contours; ///< contour_knots per content
 };
 
-/// The noise under one mask: a texton per principal axis of its colours.
-struct Noise {
-    Planes coefficients;            ///< a plane per channel: of its principal axis
-    float axes[16][16]{};           ///< row p: principal axis p, of unit length, orthogonal to the others
-    float mean[16]{};               ///< per channel, added to the noise
-    std::uint32_t knots = 0;        ///< of the tone curves that give the axes their histograms; 0: Gaussian
-    float knot_x[most_knots][16]{}; ///< [knot][axis], as in Wavelet
-    float knot_y[most_knots][16]{};
-    float knot_slope[most_knots][16]{};
+/// The noise under one mask: a texton per principal axis of its colours. All masks' textons share impacts.
+struct Noise : Colour_axes {
+    Planes coefficients; ///< a plane per channel: of its principal axis
+    float mean[16]{};    ///< per channel, added to the noise
 };
 
 /// I' (x) = P' (x) + sum over k of M'_k (x) N_k (x) (Guingo et al. 2017, equation 1).
 struct Bilayer {
     Planes structure; ///< P's channels, then the masks M_k, whose sum is 1; a torus. Without structure: masks alone
-    std::uint32_t plain = 0;   ///< 1: P is its mean alone (structure: none), and `structure` holds only masks
+    std::uint32_t plain = 0;   ///< 1: P is the model's mean alone, and `structure` holds only masks; 0: that mean is 0
     std::vector<Noise> noises; ///< K: 1..6
+    Planes residual;           ///< N = I - P as it was in the exemplar, for people; may be empty
     Wang wang;
     Exchange exchange;
     /// What the exemplar bears, from measurements: turns as bits 0..4 of eighths of a turn, least scale, amplitude and

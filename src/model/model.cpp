@@ -51,29 +51,29 @@ public:
                    model.mean[c]);
     }
 
-    void axes(const Wavelet& wavelet, std::uint32_t channels) const
+    void axes(const Colour_axes& colours, std::uint32_t channels) const
     {
         for (std::uint32_t p = 0; p < channels; ++p)
             for (std::uint32_t q = 0; q <= p; ++q) {
                 double product = 0;
                 for (std::uint32_t o = 0; o < channels; ++o)
-                    product += static_cast<double>(wavelet.axes[p][o]) * static_cast<double>(wavelet.axes[q][o]);
+                    product += static_cast<double>(colours.axes[p][o]) * static_cast<double>(colours.axes[q][o]);
                 demand(std::abs(product - (p == q ? 1 : 0)) <= 1e-3, "axes ", p, " and ", q, " have the product ",
                        product, p == q ? ", not 1" : ", not 0");
             }
     }
 
-    void tone(const Wavelet& wavelet, std::uint32_t axis) const
+    void tone(const Colour_axes& colours, std::uint32_t axis) const
     {
-        for (std::uint32_t k = 0; k < wavelet.knots; ++k) {
-            demand(wavelet.knot_slope[k][axis] >= 0, "knot_slope[", k, "][", axis, "] is ", wavelet.knot_slope[k][axis],
+        for (std::uint32_t k = 0; k < colours.knots; ++k) {
+            demand(colours.knot_slope[k][axis] >= 0, "knot_slope[", k, "][", axis, "] is ", colours.knot_slope[k][axis],
                    ", below 0");
             if (k == 0) continue;
-            demand(wavelet.knot_x[k - 1][axis] < wavelet.knot_x[k][axis], "knot_x[", k, "][", axis, "] is ",
-                   wavelet.knot_x[k][axis], ", not above the knot before");
-            demand(wavelet.knot_y[k - 1][axis] <= wavelet.knot_y[k][axis], "knot_y[", k, "][", axis, "] is ",
-                   wavelet.knot_y[k][axis], ", below the knot before");
-            const Tone_piece piece = tone_piece(wavelet, axis, k - 1);
+            demand(colours.knot_x[k - 1][axis] < colours.knot_x[k][axis], "knot_x[", k, "][", axis, "] is ",
+                   colours.knot_x[k][axis], ", not above the knot before");
+            demand(colours.knot_y[k - 1][axis] <= colours.knot_y[k][axis], "knot_y[", k, "][", axis, "] is ",
+                   colours.knot_y[k][axis], ", below the knot before");
+            const Tone_piece piece = tone_piece(colours, axis, k - 1);
             demand(all_finite(&piece.c0, 4), "the tone curve of axis ", axis, " is too steep at knot ", k - 1);
         }
     }
