@@ -46,6 +46,21 @@ struct Bands {
     const Lattice* lattices; ///< band b of plane p is lattices[b * planes + p]
 };
 
+/// A TILE layer that is more than a picture that repeats, ready to be evaluated.
+struct Composed {
+    const weft_tile* tile;
+    uint32_t planes;
+    uint32_t cells[2];              ///< to a period; 0: endless
+    uint64_t north, west, contents; ///< keys
+};
+
+/// Where a TILE is looked at: an axis's cells, texels and fractions.
+struct Places {
+    const int64_t* cell;
+    const int32_t* texel;
+    const float* fraction;
+};
+
 /// `pairs` pairs of coefficients of a row of a band: those of the next coarser band's rows `above` and `below`,
 /// refined, the first or (odd) second row between them, and a row of the lattice, from `first` on, again and again.
 struct Refine {
@@ -145,6 +160,9 @@ struct Rows {
     void (*bands_spots)(const Bands& bands, uint32_t axes, const weft_spot* spots, uint32_t count, float* f,
                         size_t pitch);
 
+    /// f of planes first..first + planes - 1 at `count` places, a plane `pitch` floats after the one before.
+    void (*compose)(const Composed& tile, const Places* places, uint32_t count, float level, uint32_t first,
+                    uint32_t planes, float* f, size_t pitch);
     void (*expand)(const float* texels, const Columns& columns, float* row);
     /// row = t (b - a) + a, also where t is 0.
     void (*lerp)(const float* a, const float* b, float t, uint32_t width, float* row);

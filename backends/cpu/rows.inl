@@ -12,6 +12,7 @@ namespace WEFT_ISA {
 namespace {
 
 #include "impacts.inl"
+#include "compose_plain.inl"
 #if WEFT_LANES == 1
 #include "bands_plain.inl"
 #include "bands_rows.inl"
@@ -127,6 +128,7 @@ const Rows rows = {0,
                    spline_row,
                    spline_rows,
                    bands_spots,
+                   compose,
                    expand,
                    lerp,
                    tone,
@@ -135,7 +137,7 @@ const Rows rows = {0,
 #else
 const Rows rows = {lanes - 1,   band_apron,  strip_height,  1,        spots,      scratch,     find_impacts,
                    splat_strip, splat_point, splat_surface, refine,   spline_row, spline_rows, bands_spots,
-                   expand,      lerp,        tone,          multiply, mix};
+                   compose,     expand,      lerp,          tone,     multiply,   mix};
 #endif
 
 } // namespace WEFT_ISA

@@ -50,6 +50,18 @@ struct Group {
     Values values[most_spots];
 };
 
+/// `values` has what the layer's displacement refers to.
+void tile(const Rows& rows, const Layer& layer, const weft_spot& spot, const Values& values, float* f)
+{
+    const weft_ref moved = layer.source->tile->displacement;
+    const uint32_t planes = layer.source->planes;
+    if (layer.composed)
+        compose_point(rows, layer.tile, spot, moved.layer < 0 ? nullptr : values.f[moved.layer] + moved.plane, 0,
+                      planes, f);
+    else
+        tile_point(layer.tile, spot.cell, spot.fraction, spot.level, 0, planes, f);
+}
+
 /// f of one layer at all spots of a group.
 void evaluate(const weft_backend_texture& texture, uint32_t index, Group& group)
 {
@@ -64,7 +76,7 @@ void evaluate(const weft_backend_texture& texture, uint32_t index, Group& group)
         if (layer.source->kind == WEFT_LAYER_SPLAT)
             splat(rows, layer, spot, group.frames ? group.frames + 9 * size_t(i) : nullptr, f);
         else if (layer.source->kind == WEFT_LAYER_TILE)
-            tile_point(layer.tile, spot.cell, spot.fraction, spot.level, 0, layer.source->planes, f);
+            tile(rows, layer, spot, group.values[i], f);
         if (!layer.source->tones) continue;
         for (uint32_t c = 0; c < layer.source->channels; ++c) rows.tone(layer.source->tones[c], 1, f + c);
     }

@@ -2,6 +2,7 @@
 /// prepared for it.
 #pragma once
 #include "bands.h"
+#include "compose.h"
 #include "memory.h"
 #include "rows.h"
 #include "tile.h"
@@ -36,6 +37,7 @@ struct Layer {
     Buffer<Lattice> lattices;
     Buffer<float> data; ///< what `texels` or `lattices` point into, if the kernels want copies
     float impacts_per_pixel;
+    bool composed;         ///< a TILE, and is_composed
     bool masked, referred; ///< has a mask; is referred to by a later layer
 };
 

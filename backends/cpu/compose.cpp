@@ -1,0 +1,85 @@
+/// Where the pixels of windows and the points of a composed TILE lie; the kernels say what is to be seen there.
+#include "compose.h"
+
+namespace weft {
+
+bool is_composed(const weft_tile& tile)
+{
+    return tile.address != WEFT_ADDRESS_CELLS || tile.exchange || tile.displacement.layer >= 0;
+}
+
+Composed open_composed(const weft_layer& layer, const weft_program& program)
+{
+    const weft_tile& tile = *layer.tile;
+    return {&tile,
+            layer.planes,
+            {program.period[0] != 0 ? tile.x.cells : 0, program.period[1] != 0 ? tile.y.cells : 0},
+            weft_key(program.seed, layer.stream, WEFT_TAG_NORTH),
+            weft_key(program.seed, layer.stream, WEFT_TAG_WEST),
+            weft_key(program.seed, layer.stream, WEFT_TAG_CONTENTS)};
+}
+
+namespace {
+
+weft_place displaced(const Tile& tile, uint32_t axis, const weft_place& place, float pixels)
+{
+    const weft_grid& grid = axis == 0 ? tile.tile->x : tile.tile->y;
+    return weft_displace(place, pixels, grid.step, axis == 0 ? tile.tile->width : tile.tile->height,
+                         tile.composed.cells[axis]);
+}
+
+} // namespace
+
+void compose_point(const Rows& rows, const Tile& tile, const weft_spot& spot, const float* displacement, uint32_t first,
+                   uint32_t count, float* f)
+{
+    weft_place at[2];
+    for (uint32_t axis = 0; axis < 2; ++axis) {
+        at[axis] = tile.place(axis, spot.cell[axis], spot.fraction[axis]);
+        if (displacement) at[axis] = displaced(tile, axis, at[axis], displacement[axis]);
+    }
+    const Places places[2] = {{&at[0].cell, &at[0].texel, &at[0].fraction},
+                              {&at[1].cell, &at[1].texel, &at[1].fraction}};
+    rows.compose(tile.composed, places, 1, spot.level, first, count, f, 1);
+}
+
+bool Composed_block::begin(const Rows& rows, const Tile& tile, const Block& block)
+{
+    rows_ = &rows;
+    tile_ = &tile;
+    block_ = block;
+    if (!axes_[0].reserve(block.width) || !axes_[1].reserve(block.height) || !moved_[0].reserve(block.width) ||
+        !moved_[1].reserve(block.width))
+        return false;
+    const uint32_t fraction = block.level == 0 ? WEFT_FRACTION_HALF : 0;
+    const int64_t step = int64_t(1) << block.level;
+    for (uint32_t x = 0; x < block.width; ++x)
+        axes_[0].set(x, tile.place(0, (block.x + x) * step + step / 2, fraction));
+    for (uint32_t y = 0; y < block.height; ++y)
+        axes_[1].set(y, tile.place(1, (block.y + y) * step + step / 2, fraction));
+    return true;
+}
+
+/// Fills moved_ with the places of a row's pixels.
+void Composed_block::row(uint32_t y, const float* displacement, size_t plane)
+{
+    const weft_place row = axes_[1].get(y);
+    for (uint32_t x = 0; x < block_.width; ++x) {
+        const weft_place column = axes_[0].get(x);
+        moved_[0].set(x, displacement ? displaced(*tile_, 0, column, displacement[x]) : column);
+        moved_[1].set(x, displacement ? displaced(*tile_, 1, row, displacement[plane + x]) : row);
+    }
+}
+
+void Composed_block::strip(const Strip& strip, const float* displacement)
+{
+    const size_t plane = size_t(strip.count) * strip.stride;
+    for (uint32_t y = 0; y < strip.count; ++y) {
+        row(strip.first + y, displacement ? displacement + size_t(y) * strip.stride : nullptr, plane);
+        const Places places[2] = {moved_[0].places(), moved_[1].places()};
+        rows_->compose(tile_->composed, places, strip.width, float(block_.level), 0, tile_->planes,
+                       strip.data + size_t(y) * strip.stride, plane);
+    }
+}
+
+} // namespace weft

@@ -1,0 +1,55 @@
+/// TILE that is more than a picture that repeats: Wang tiles, content exchange, displacement.
+#pragma once
+#include "memory.h"
+#include "rows.h"
+#include "tile.h"
+
+namespace weft {
+
+/// Whether a layer asks for one of them.
+bool is_composed(const weft_tile& tile);
+
+Composed open_composed(const weft_layer& layer, const weft_program& program);
+
+/// f of planes first..first + count - 1 at a position; `displacement` is null or two planes' values.
+void compose_point(const Rows& rows, const Tile& tile, const weft_spot& spot, const float* displacement, uint32_t first,
+                   uint32_t count, float* f);
+
+/// Renders strips of one block of such a layer.
+class Composed_block {
+public:
+    explicit Composed_block(const weft_host* host) : axes_{Axis(host), Axis(host)}, moved_{Axis(host), Axis(host)} {}
+
+    bool begin(const Rows& rows, const Tile& tile, const Block& block);
+    /// `displacement`: null, or two planes of an earlier layer's strip of the same shape.
+    void strip(const Strip& strip, const float* displacement);
+
+private:
+    /// Places along one axis.
+    struct Axis {
+        explicit Axis(const weft_host* host) : cells(host), texels(host), fractions(host) {}
+        bool reserve(size_t count) { return cells.reserve(count) && texels.reserve(count) && fractions.reserve(count); }
+        weft_place get(uint32_t i) const { return {cells.data()[i], texels.data()[i], fractions.data()[i]}; }
+        void set(uint32_t i, const weft_place& place)
+        {
+            cells.data()[i] = place.cell;
+            texels.data()[i] = place.texel;
+            fractions.data()[i] = place.fraction;
+        }
+        Places places() const { return {cells.data(), texels.data(), fractions.data()}; }
+
+        Buffer<int64_t> cells;
+        Buffer<int32_t> texels;
+        Buffer<float> fractions;
+    };
+
+    void row(uint32_t y, const float* displacement, size_t plane);
+
+    const Rows* rows_ = nullptr;
+    const Tile* tile_ = nullptr;
+    Block block_{};
+    Axis axes_[2];  ///< columns and rows of the block
+    Axis moved_[2]; ///< pixels of a row
+};
+
+} // namespace weft
