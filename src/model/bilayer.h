@@ -9,6 +9,10 @@ namespace weft {
 
 constexpr std::uint32_t most_noises = 6, most_wang_colours = 16, contour_knots = 96;
 
+/// An entry of Exchange::map: number of the patch; depth in eighths of a texel; two bits for patches that began in the
+/// cell to the left, or above. As WEFT_MAP_* of backend.h.
+constexpr std::uint32_t map_patch = 0x003fffff, map_depth_shift = 22, most_map_depth = 191;
+
 /// Wang tiles without tile images: a cell is composed of the diamonds of its four edges; as weft_wang of backend.h.
 struct Wang {
     struct Diamond {

@@ -16,7 +16,8 @@ constexpr std::uint32_t kind(char a, char b, char c, char d)
            static_cast<std::uint32_t>(d) << 24;
 }
 constexpr std::uint32_t meth = kind('M', 'E', 'T', 'H'), splt = kind('S', 'P', 'L', 'T'),
-                        band = kind('B', 'A', 'N', 'D'), tile = kind('T', 'I', 'L', 'E');
+                        band = kind('B', 'A', 'N', 'D'), tile = kind('T', 'I', 'L', 'E'),
+                        bila = kind('B', 'I', 'L', 'A');
 
 constexpr std::uint32_t meth_head = 16, splt_head = 32, band_head = 16,
                         tile_head = 16; ///< bytes of the payload before its floats
