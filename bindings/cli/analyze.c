@@ -19,9 +19,16 @@ static const char notes[] =
     "analysed together. Method texton is texton noise, for textures without structure; wavelet is noise in\n"
     "octaves with a tone curve, for such textures without direction: its models are tiny, can be edited as JSON\n"
     "and fill space; picture repeats the photo as it is; auto takes the one that `weft describe` names. --bands,\n"
-    "--knots and --gaussian are of wavelet, --support to --seed of texton.";
+    "--knots and --gaussian are of wavelet, --support to --projection of texton. Method stationary makes a tile "
+    "of\n256 x 256 pixels that shows no repeats; `weft tile` has its options.";
 
-enum { CHOSEN_TEXTON, CHOSEN_WAVELET, CHOSEN_PICTURE, CHOSEN_AUTO }; /* in the order of the option's words */
+enum {
+    CHOSEN_TEXTON,
+    CHOSEN_WAVELET,
+    CHOSEN_STATIONARY,
+    CHOSEN_PICTURE,
+    CHOSEN_AUTO
+}; /* in the order of the option's words */
 
 typedef struct analyze_options {
     const char* output;
@@ -30,21 +37,24 @@ typedef struct analyze_options {
     double from; /* what share of the work has been done before the analysis */
     weft_texton_options texton;
     weft_wavelet_options wavelet;
+    weft_stationary_options stationary;
 } analyze_options;
 
 static int parse(analyze_options* o, arguments* common, int count, char** words)
 {
     const weft_texton_options texton = WEFT_TEXTON_OPTIONS_INIT;
     const weft_wavelet_options wavelet = WEFT_WAVELET_OPTIONS_INIT;
+    const weft_stationary_options stationary = WEFT_STATIONARY_OPTIONS_INIT;
     const option table[] = {
         {"-o", OPTION_TEXT, &o->output, "MODEL", "where the model goes", 0, 0},
-        {"--method", OPTION_CHOICE, &o->method, "texton|wavelet|picture|auto", "default texton", 0, 0},
+        {"--method", OPTION_CHOICE, &o->method, "texton|wavelet|stationary|picture|auto", "default texton", 0, 0},
         {"--support", OPTION_COUNT, &o->texton.support, "N", "edge of the texton in pixels; default 64", 1, 8192},
         {"--iterations", OPTION_COUNT, &o->texton.iterations, "N", "of the projections", 1, 1000000},
         {"--interpolation", OPTION_CHOICE, &o->interpolation, "0|1|3|5", "order of the B-spline; default 1", 0, 0},
         {"--projection", OPTION_CHOICE, &o->projection, "plain|momentum", "Algorithm 1 as published, or accelerated", 0,
          0},
-        {"--seed", OPTION_SEED, &o->texton.seed, "N", "of the noise that the projections start from; default 0", 0, 0},
+        {"--seed", OPTION_SEED, &o->texton.seed, "N", "of texton and stationary: what they start from; default 0", 0,
+         0},
         {"--bands", OPTION_COUNT, &o->wavelet.bands, "N", "octaves; default all that the photo holds", 1, 16},
         {"--knots", OPTION_COUNT, &o->wavelet.tone_knots, "N", "of the tone curves; default 10", 2, 32},
         {"--gaussian", OPTION_FLAG, &o->gaussian, NULL, "no tone curves", 0, 0},
@@ -58,11 +68,13 @@ static int parse(analyze_options* o, arguments* common, int count, char** words)
     memset(o, 0, sizeof *o);
     o->texton = texton;
     o->wavelet = wavelet;
+    o->stationary = stationary;
     o->interpolation = o->projection = UINT32_MAX;
     int code = parse_arguments(&line, count, words, common);
     if (code >= 0) return code;
     if (!o->output) return misused("it needs -o MODEL");
     o->wavelet.gaussian = (uint32_t)o->gaussian;
+    o->stationary.seed = o->texton.seed;
     if (o->interpolation != UINT32_MAX) o->texton.interpolation = orders[o->interpolation];
     if (o->projection != UINT32_MAX) o->texton.projection = projections[o->projection];
     return check_stdout(common->json, o->output) ? EXIT_USAGE : -1;
@@ -76,9 +88,10 @@ static int choose(weft_context* context, const weft_image* photo, analyze_option
     if (o->method != CHOSEN_AUTO) return EXIT_FINE;
     int code = describe_photo(context, photo, &first, &description);
     if (code != EXIT_FINE) return code;
-    o->method = description.method == WEFT_METHOD_TEXTON    ? CHOSEN_TEXTON
-                : description.method == WEFT_METHOD_WAVELET ? CHOSEN_WAVELET
-                                                            : CHOSEN_PICTURE;
+    o->method = description.method == WEFT_METHOD_TEXTON       ? CHOSEN_TEXTON
+                : description.method == WEFT_METHOD_WAVELET    ? CHOSEN_WAVELET
+                : description.method == WEFT_METHOD_STATIONARY ? CHOSEN_STATIONARY
+                                                               : CHOSEN_PICTURE;
     o->from = first.to;
     return EXIT_FINE;
 }
@@ -89,6 +102,8 @@ static int analyze(weft_context* context, const weft_image* photo, const analyze
     weft_status status = WEFT_OK;
     if (o->method == CHOSEN_TEXTON)
         status = weft_analyze_texton(context, photo, &o->texton, progress_step, &whole, model);
+    else if (o->method == CHOSEN_STATIONARY)
+        status = weft_analyze_stationary(context, photo, &o->stationary, progress_step, &whole, model);
     else if (o->method == CHOSEN_WAVELET)
         status = weft_analyze_wavelet(context, photo, &o->wavelet, progress_step, &whole, model);
     else

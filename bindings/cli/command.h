@@ -16,6 +16,8 @@ int command_info(int count, char** words);
 int command_export(int count, char** words);
 int command_import(int count, char** words);
 int command_describe(int count, char** words);
+int command_tile(int count, char** words);
+int command_apply(int count, char** words);
 int command_mix(int count, char** words);
 int command_compare(int count, char** words);
 int command_devices(int count, char** words);

@@ -20,6 +20,8 @@ static const command commands[] = {
     {"export", command_export, "write a model's parts as PNG, text and JSON"},
     {"import", command_import, "make a model of a .texton or .json file"},
     {"describe", command_describe, "say what a photo is like and which method suits it"},
+    {"tile", command_tile, "make a tile that repeats unseen of a photo"},
+    {"apply", command_apply, "make the tile of another map of a tiled surface"},
     {"mix", command_mix, "make a model between two models"},
     {"compare", command_compare, "measure how close an output is to its exemplar"},
     {"devices", command_devices, "list the devices"},

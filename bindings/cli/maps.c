@@ -121,6 +121,16 @@ int maps_commit(map_files* maps)
     return EXIT_FINE;
 }
 
+int maps_write(const char* path, const weft_image* image, const uint32_t* groups, int count)
+{
+    map_files maps;
+    int code = maps_open(&maps, path, groups, count, image);
+    if (code == EXIT_FINE) code = maps_rows(&maps, image);
+    if (code == EXIT_FINE) code = maps_commit(&maps);
+    maps_discard(&maps);
+    return code;
+}
+
 void maps_discard(map_files* maps)
 {
     pngfile_reason why;

@@ -33,6 +33,9 @@ int maps_rows(map_files* maps, const weft_image* image);
 /* Puts the complete files in their places. */
 int maps_commit(map_files* maps);
 
+/* The whole at once: opens, writes all rows and commits. */
+int maps_write(const char* path, const weft_image* image, const uint32_t* groups, int count);
+
 /* Leaves no file that maps_commit has not put in its place. Does nothing on zeros. */
 void maps_discard(map_files* maps);
 

@@ -63,7 +63,7 @@ static int stack_photos(const weft_image* maps, int count, weft_image* stack)
     return EXIT_FINE;
 }
 
-static int open_maps(const char* const* paths, int count, weft_image* maps)
+static int open_each(const char* const* paths, int count, weft_image* maps)
 {
     for (int i = 0; i < count; i++) {
         int code = open_photo(paths[i], &maps[i]);
@@ -75,15 +75,25 @@ static int open_maps(const char* const* paths, int count, weft_image* maps)
     return EXIT_FINE;
 }
 
-int open_photos(const char* const* paths, int count, weft_image* image)
+int open_maps(const char* const* paths, int count, weft_image* image, uint32_t* groups)
 {
     weft_image maps[MOST_OPERANDS];
-    if (count == 1) return open_photo(paths[0], image);
     memset(maps, 0, sizeof maps);
-    int code = open_maps(paths, count, maps);
+    int code = open_each(paths, count, maps);
+    for (int i = 0; i < count; i++) groups[i] = maps[i].channels;
+    if (count == 1) {
+        *image = maps[0];
+        return code;
+    }
     if (code == EXIT_FINE) code = stack_photos(maps, count, image);
     for (int i = 0; i < count; i++) free(maps[i].data);
     return code;
+}
+
+int open_photos(const char* const* paths, int count, weft_image* image)
+{
+    uint32_t groups[MOST_OPERANDS];
+    return open_maps(paths, count, image, groups);
 }
 
 int open_model(weft_context* context, const char* path, weft_model** model, weft_model_info* info)
@@ -124,6 +134,8 @@ const char* method_name(weft_method method)
         return "texton";
     case WEFT_METHOD_WAVELET:
         return "wavelet";
+    case WEFT_METHOD_STATIONARY:
+        return "stationary";
     case WEFT_METHOD_PICTURE:
         return "picture";
     default:

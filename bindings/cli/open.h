@@ -12,6 +12,9 @@ int open_context(const arguments* common, weft_context** context);
 /* One photograph, or the channels of several of one size one after the other. The caller frees image->data. */
 int open_photos(const char* const* paths, int count, weft_image* image);
 
+/* The same, and how many channels each has: `count` numbers. */
+int open_maps(const char* const* paths, int count, weft_image* image, uint32_t* groups);
+
 /* The bytes that the model was loaded from are counted by weft_model_info. */
 int open_model(weft_context* context, const char* path, weft_model** model, weft_model_info* info);
 

@@ -107,7 +107,7 @@ static int store(const option* o, const char* text)
 static int refuse_value(const option* o, const char* text)
 {
     if (o->kind == OPTION_COUNT || o->kind == OPTION_REAL || o->kind == OPTION_EXTENT)
-        return misused("%s takes %s from %.0f to %.0f, not '%s'", o->name, o->shape, o->low, o->high, text);
+        return misused("%s takes %s from %g to %g, not '%s'", o->name, o->shape, o->low, o->high, text);
     return misused("%s takes %s, not '%s'", o->name, o->shape, text);
 }
 

@@ -12,6 +12,7 @@ static int shown = 0;     /* bars are wanted */
 static int on_screen = 0; /* one is there */
 static double begin_time = 0;
 static double last_time = 0;
+static char note[96] = ""; /* that follows the bar */
 
 static void on_signal(int number)
 {
@@ -46,6 +47,14 @@ void progress_begin(int quiet)
     begin_time = last_time = wall_seconds();
 }
 
+void progress_note(const char* text)
+{
+    size_t length = strlen(text);
+    length = length < sizeof note ? length : sizeof note - 1;
+    memcpy(note, text, length);
+    note[length] = '\0';
+}
+
 static void draw(double done, double now)
 {
     enum { width = 40 };
@@ -57,6 +66,7 @@ static void draw(double done, double now)
     fprintf(stderr, "\r[%s] %3d %%", bar, (int)(done * 100));
     double left = done > 0.02 ? (now - begin_time) * (1 - done) / done : 0;
     if (left >= 1) fprintf(stderr, ", %.0f s left", left);
+    if (*note) fprintf(stderr, "  %s", note);
     fputs("\033[K", stderr);
     fflush(stderr);
     on_screen = 1;
@@ -76,6 +86,7 @@ int32_t progress_step(void* span, float done)
 
 void progress_clear(void)
 {
+    *note = '\0';
     if (!on_screen) return;
     fputs("\r\033[K", stderr);
     fflush(stderr);

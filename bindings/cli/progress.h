@@ -13,6 +13,9 @@ int interrupted(void);
 /* Shows a bar from now on, unless quiet or stderr is no terminal. */
 void progress_begin(int quiet);
 
+/* What is written behind the bar from the next step on. */
+void progress_note(const char* text);
+
 /* The part of the whole work, from `from` to `to` of 0..1, that one call to the library does. */
 typedef struct progress_span {
     double from, to;
@@ -21,7 +24,7 @@ typedef struct progress_span {
 /* A weft_progress whose user is a progress_span. */
 int32_t progress_step(void* span, float done);
 
-/* Removes the bar, so that a line can be written in its place. */
+/* Removes the bar and its note, so that a line can be written in its place. */
 void progress_clear(void);
 
 #endif

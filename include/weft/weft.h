@@ -242,6 +242,55 @@ typedef struct weft_bilayer_options {
 WEFT_API weft_status weft_analyze_bilayer(weft_context *context, const weft_image *photo, const weft_bilayer_options *options,
                                           weft_progress progress, void *user, weft_model **model) WEFT_NOEXCEPT;
 
+/* How alike the neighbourhoods of all pixels are, in CIE L*a*b*, channel by channel (Moritz, James, Haines, Ritschel,
+ * Weyrich, "Texture Stationarization: Turning Photos into Tileable Textures", Computer Graphics Forum 2017, section 3). */
+typedef int32_t weft_stationarity;
+enum {
+  WEFT_STATIONARITY_DEFAULT   = 0, /* HISTOGRAM */
+  WEFT_STATIONARITY_HISTOGRAM = 1, /* local histograms */
+  WEFT_STATIONARITY_MOMENTS   = 2, /* local moments; evener results, and plainer */
+  WEFT_STATIONARITY_STEERABLE = 3, /* local histograms of steerable filters in 4 orientations */
+  WEFT_STATIONARITY_NONE      = 4  /* nothing: a tile without seams, whose features repeat */
+};
+
+/* Where an analysis is after an iteration. */
+typedef struct weft_stationary_step {
+  uint32_t size;
+  uint32_t level, levels;         /* of the pyramid, from 0, the coarsest, on */
+  uint32_t iteration, iterations; /* at this level, from 0 on */
+  uint32_t width, height;         /* of the tile at this level */
+  float    texture_cost;          /* as weft_texture_cost has it, of the patches as they were found; -1: unknown */
+  float    stationarity_cost;     /* as weft_stationarity_cost has it, roughly; -1: unknown */
+} weft_stationary_step;
+
+/* Called on the thread that called libweft. */
+typedef void (*weft_stationary_report)(void *user, const weft_stationary_step *step) WEFT_NOEXCEPT;
+
+/* Texture stationarization. */
+typedef struct weft_stationary_options {
+  uint32_t           size;
+  uint32_t           width, height; /* of the tile in pixels, 64..2048; 0: 256 */
+  weft_stationarity  stationarity;
+  uint32_t           moments;       /* order of the moments, 1..4; 0: 2 */
+  float              sigma;         /* deviation of the Gaussian neighbourhoods over the tile's shorter side, 0.02..1: the smaller,
+                                       the evener; 0: 0.1 */
+  uint32_t           patch;         /* side of the patches in pixels, odd, 3..31; 0: 11 */
+  uint32_t           start;         /* the coarsest level is 1 / start of the tile, 2..16: the more, the larger the features that
+                                       stay; 0: 4 */
+  uint64_t           seed;
+  const weft_image  *sigma_map;     /* 1 channel in 0..1, stretched over the tile: factor of sigma from place to place; NULL: 1 */
+  weft_stationary_report report;    /* told after each iteration; NULL: nobody is */
+  void              *report_user;
+} weft_stationary_options;
+#define WEFT_STATIONARY_OPTIONS_INIT { sizeof(weft_stationary_options), 0, 0, 0, 0, 0, 0, 0, 0, NULL, NULL, NULL }
+
+/* Makes a tile of a photo of `patch` x `patch` to 8192 x 8192 pixels that repeats without a seam and without a feature that
+ * sticks out. Of 3 channels or more the first 3 are taken as sRGB, of fewer the first as grey; the others follow them.
+ * Every value of the tile is a weighted mean of values of the photo. A seed gives the same tile on every machine.
+ * WEFT_ERROR_ARGUMENT: the photo is smaller than a patch, or one colour. */
+WEFT_API weft_status weft_analyze_stationary(weft_context *context, const weft_image *photo, const weft_stationary_options *options,
+                                             weft_progress progress, void *user, weft_model **model) WEFT_NOEXCEPT;
+
 /* A picture as it is, repeated in both directions: the simplest texture. 1 x 1 to 16384 x 16384 pixels. */
 WEFT_API weft_status weft_analyze_picture(weft_context *context, const weft_image *picture, weft_model **model) WEFT_NOEXCEPT;
 
@@ -249,10 +298,11 @@ WEFT_API weft_status weft_analyze_picture(weft_context *context, const weft_imag
 
 typedef int32_t weft_method;
 enum {
-  WEFT_METHOD_TEXTON  = 1, /* texton noise */
-  WEFT_METHOD_WAVELET = 2, /* multiresolution wavelet noise */
-  WEFT_METHOD_BILAYER = 3, /* structure and noises */
-  WEFT_METHOD_PICTURE = 5  /* a picture, repeated; 4 is kept for stationary textures */
+  WEFT_METHOD_TEXTON     = 1, /* texton noise */
+  WEFT_METHOD_WAVELET    = 2, /* multiresolution wavelet noise */
+  WEFT_METHOD_BILAYER    = 3, /* structure and noises */
+  WEFT_METHOD_STATIONARY = 4, /* a tile made of a photo's patches, repeated */
+  WEFT_METHOD_PICTURE    = 5  /* a picture, repeated */
 };
 
 typedef struct weft_model_info {
@@ -261,13 +311,14 @@ typedef struct weft_model_info {
   uint32_t    channels;
   uint32_t    parts;         /* images that weft_model_part hands out */
   uint64_t    bytes;         /* of weft_model_save */
-  uint32_t    width, height; /* of the texton or picture, in pixels of the exemplar */
+  uint32_t    width, height; /* of the texton, tile or picture, in pixels of the exemplar */
   float       model_error;   /* relative model error against the periodogram of the photo (Xia et al. 2014): 0 best; -1: unknown */
   weft_interpolation interpolation; /* of the texton; 0 for other methods */
   float       mean[16];      /* of the texture, per channel: exact; of a mixed model, here and below: of its first step */
   float       deviation[16]; /* standard deviation of the texture at pixel centres, level 0, per channel */
+  uint32_t    photo_width, photo_height; /* that a tile's correspondence points into; 0 for other methods */
 } weft_model_info;
-#define WEFT_MODEL_INFO_INIT { sizeof(weft_model_info), 0, 0, 0, 0, 0, 0, 0, 0, { 0 }, { 0 } }
+#define WEFT_MODEL_INFO_INIT { sizeof(weft_model_info), 0, 0, 0, 0, 0, 0, 0, 0, { 0 }, { 0 }, 0, 0 }
 
 /* Untrusted bytes are welcome: every field is checked before it is used. */
 WEFT_API weft_status weft_model_load(weft_context *context, const void *bytes, size_t size, weft_model **model) WEFT_NOEXCEPT;
@@ -319,7 +370,8 @@ WEFT_API weft_status weft_model_mix(weft_context *context, const weft_model *a, 
 /* What a model holds, as images for people and for other programs. */
 typedef struct weft_part_info {
   uint32_t size;
-  char     name[32]; /* "texton", "picture"; of a mixed model "texton 0", "texton 1", ... */
+  char     name[32]; /* "texton", "picture"; of a mixed model "texton 0", "texton 1", ...; of a stationary one "tile" and
+                        "correspondence": x and y of the pixel of the photo that is the middle of each pixel's patch */
   uint32_t width, height, channels;
   float    low, high; /* least and greatest value in it */
 } weft_part_info;
@@ -330,6 +382,11 @@ WEFT_API weft_status weft_model_part(const weft_model *model, uint32_t index, we
 
 /* Fills `image`, whose size, channels and format (F32) must be the part's, with the part's values as they are. */
 WEFT_API weft_status weft_model_part_read(const weft_model *model, uint32_t index, const weft_image *image) WEFT_NOEXCEPT;
+
+/* Puts another map of the same surface together as the tile of a stationary model was put together of its photo. `map` has
+ * the photo's width and height, `tile` the tile's width and height and the map's channels; any formats. The photo gives the
+ * tile. Values are summed in double and rounded once. WEFT_ERROR_UNSUPPORTED: the model is not stationary. */
+WEFT_API weft_status weft_model_apply(const weft_model *model, const weft_image *map, const weft_image *tile) WEFT_NOEXCEPT;
 
 WEFT_API void weft_model_free(weft_model *model) WEFT_NOEXCEPT;
 
@@ -355,7 +412,7 @@ enum {
 
 typedef struct weft_texture_options {
   uint32_t size;
-  uint32_t period_x, period_y; /* pixels after which the texture repeats exactly, up to 2^24; 0: a noise never, a picture after itself */
+  uint32_t period_x, period_y; /* pixels after which the texture repeats exactly, up to 2^24; 0: a noise never, others after themselves */
   float    impacts;            /* mean number of impacts of a noise, 1..1000; 0: 30 */
   uint64_t seed;
   const weft_image *mix;       /* 1 channel in 0..1, repeated: which step of a mixed model where, 0 the first, 1 the last; NULL: 0 */
@@ -368,7 +425,7 @@ typedef struct weft_texture_options {
 } weft_texture_options;
 #define WEFT_TEXTURE_OPTIONS_INIT { sizeof(weft_texture_options), 0, 0, 0, 0, NULL, 0, 0, 0, 0, 0, 0 }
 
-/* `options` may be NULL. A picture takes only periods that are multiples of its size; else WEFT_ERROR_ARGUMENT. */
+/* `options` may be NULL. A picture or tile takes only periods that are multiples of its size; else WEFT_ERROR_ARGUMENT. */
 WEFT_API weft_status weft_texture_create(weft_context *context, const weft_model *model, const weft_texture_options *options,
                                          weft_texture **texture) WEFT_NOEXCEPT;
 
@@ -489,6 +546,47 @@ typedef struct weft_comparison {
 WEFT_API weft_status weft_compare(weft_context *context, const weft_image *exemplar, const weft_image *output,
                                   const weft_compare_options *options, weft_progress progress, void *user,
                                   weft_comparison *comparison) WEFT_NOEXCEPT;
+
+typedef struct weft_stationarity_options {
+  uint32_t          size;
+  weft_stationarity stationarity; /* not NONE */
+  float             sigma;        /* as in weft_stationary_options */
+  uint32_t          moments;      /* the same */
+} weft_stationarity_options;
+#define WEFT_STATIONARITY_OPTIONS_INIT { sizeof(weft_stationarity_options), 0, 0, 0 }
+
+/* Stationarity cost c_stat of an image that repeats (equation 1 of the paper): the mean distance of the neighbourhoods of
+ * two positions, over all pairs of a grid, summed over L*, a* and b* (one channel or two: L* of the first). 0: the same
+ * everywhere. A neighbourhood has Gaussian weights of deviation sigma times the shorter side s, around the torus, and is
+ * described by
+ * HISTOGRAM  its histogram; distance: the earth mover's, in Lab units. 64 values from the image's least to its greatest,
+ *            each pixel shared by the two nearest to it.
+ * MOMENTS    its mean, deviation, and the cube and fourth root of its third and fourth central moment, as far as `moments`
+ *            says; distance: squared difference, in squared Lab units.
+ * STEERABLE  the histograms of third derivatives of a Gaussian in 4 orientations (Freeman, Adelson 1991), as in HISTOGRAM;
+ *            distance: the sum of all 4.
+ * The grid has 32 positions along the shorter side (or one a pixel) and as many along the other as its length wants, in the
+ * middles of equal parts. `map` may be NULL; else it is F32 of 1 channel and its width and height are those of the grid
+ * instead: each pixel receives the mean distance from there to everywhere. `options` may be NULL. 8 x 8 pixels at least. */
+WEFT_API weft_status weft_stationarity_cost(weft_context *context, const weft_image *image, const weft_stationarity_options *options,
+                                            weft_progress progress, void *user, const weft_image *map, float *cost) WEFT_NOEXCEPT;
+
+typedef struct weft_texture_cost_options {
+  uint32_t size;
+  uint32_t patch;   /* side of the patches in pixels, 1..31; 0: 11 */
+  uint32_t samples; /* patches that are looked for, 1..2^20; 0: 256 */
+  uint32_t zero;
+  uint64_t seed;    /* of their positions */
+} weft_texture_cost_options;
+#define WEFT_TEXTURE_COST_OPTIONS_INIT { sizeof(weft_texture_cost_options), 0, 0, 0, 0 }
+
+/* Texture cost c_text of an output that repeats (equation 5 of the paper): the mean over random patches, around the torus, of
+ * the squared distance to the nearest patch of the exemplar, over the number of pixels in a patch: squared Lab units per
+ * pixel. Found by exhaustive search. 0: every patch is a copy. `options` may be NULL. Both images have the same channels and
+ * no side is shorter than a patch. */
+WEFT_API weft_status weft_texture_cost(weft_context *context, const weft_image *exemplar, const weft_image *output,
+                                       const weft_texture_cost_options *options, weft_progress progress, void *user,
+                                       float *cost) WEFT_NOEXCEPT;
 
 /* Which method suits a photo. Measured on the most varied principal channel, the middle 512 x 512 pixels at most. Only
  * methods that this libweft has are recommended. */

@@ -15,7 +15,8 @@ Model mix(Core& core, const Model& a, const Model& b, float t, std::uint32_t ste
         require(t >= 0 && t <= 1, function, ": t is ", t, ", not 0..1");
         return morph_wavelets(a, b, t);
     }
-    if (a.method != WEFT_METHOD_TEXTON) throw Error(WEFT_ERROR_UNSUPPORTED, function, ": pictures are not mixed");
+    if (a.method != WEFT_METHOD_TEXTON)
+        throw Error(WEFT_ERROR_UNSUPPORTED, function, ": pictures and tiles are not mixed");
     if (a.texton.images > 1 || b.texton.images > 1)
         throw Error(WEFT_ERROR_UNSUPPORTED, function, ": a or b is mixed already");
     require(steps >= 2 && steps <= most_images, function, ": steps is ", steps, ", not 2..", most_images);

@@ -11,15 +11,20 @@ using namespace weft;
 
 namespace {
 
+bool is_picture(const Model& model) noexcept
+{
+    return model.method == WEFT_METHOD_PICTURE || model.method == WEFT_METHOD_STATIONARY;
+}
+
 /// The picture, or all textons one after another; empty if the model has neither.
 const Planes& planes_of(const Model& model) noexcept
 {
-    return model.method == WEFT_METHOD_PICTURE ? model.picture : model.texton.coefficients;
+    return is_picture(model) ? model.picture : model.texton.coefficients;
 }
 
 std::uint32_t parts_of(const Model& model) noexcept
 {
-    return model.method == WEFT_METHOD_WAVELET ? 0 : model.texton.images;
+    return model.method == WEFT_METHOD_WAVELET ? 0 : model.method == WEFT_METHOD_STATIONARY ? 2 : model.texton.images;
 }
 
 weft_model_info info_of(const Loaded_model& loaded)
@@ -33,6 +38,8 @@ weft_model_info info_of(const Loaded_model& loaded)
     info.bytes = size_of_file(model);
     info.width = planes.width;
     info.height = planes.height;
+    info.photo_width = model.correspondence.photo_width;
+    info.photo_height = model.correspondence.photo_height;
     const bool texton = model.method == WEFT_METHOD_TEXTON;
     info.model_error = texton ? model.texton.model_error : -1.0F;
     info.interpolation = texton ? static_cast<weft_interpolation>(model.texton.taps) : WEFT_INTERPOLATION_DEFAULT;
@@ -45,8 +52,19 @@ weft_model_info info_of(const Loaded_model& loaded)
 struct Part {
     const float* values;
     std::uint32_t width, height, channels;
+    Planes made; ///< what `values` points to, if the model does not have it as floats
     std::size_t count() const noexcept { return std::size_t{width} * height * channels; }
 };
+
+/// x and y as two planes.
+Planes places_of(const Model& model, std::pmr::memory_resource* memory)
+{
+    const Correspondence& from = model.correspondence;
+    Planes planes(memory, model.picture.width, model.picture.height, 2, Array<float>::unset);
+    std::copy(from.x.begin(), from.x.end(), planes.plane(0));
+    std::copy(from.y.begin(), from.y.end(), planes.plane(1));
+    return planes;
+}
 
 Part checked_part(const weft_model* handle, uint32_t index, const char* function)
 {
@@ -55,7 +73,12 @@ Part checked_part(const weft_model* handle, uint32_t index, const char* function
     const std::uint32_t parts = parts_of(model);
     require(index < parts, function, ": index is ", index, ", the model has ", parts, parts == 1 ? " part" : " parts");
     const Planes& planes = planes_of(model);
-    return {planes.plane(std::size_t{index} * model.channels), planes.width, planes.height, model.channels};
+    if (is_picture(model) && index == 1) {
+        Planes places = places_of(model, &handle->core->memory);
+        const float* values = places.plane(0);
+        return {values, planes.width, planes.height, 2, std::move(places)};
+    }
+    return {planes.plane(std::size_t{index} * model.channels), planes.width, planes.height, model.channels, {}};
 }
 
 } // namespace
@@ -129,8 +152,10 @@ weft_status weft_model_part(const weft_model* model, uint32_t index, weft_part_i
         const Model& known = model->loaded.object->model;
         const Sentence step("texton ", index);
         const std::string_view name = known.method == WEFT_METHOD_PICTURE ? "picture"
-                                      : known.texton.images == 1          ? "texton"
-                                                                          : step.c_str();
+                                      : known.method == WEFT_METHOD_STATIONARY
+                                          ? (index == 0 ? "tile" : "correspondence")
+                                      : known.texton.images == 1 ? "texton"
+                                                                 : step.c_str();
         weft_part_info result{};
         std::copy(name.begin(), name.end(), result.name);
         result.width = part.width;

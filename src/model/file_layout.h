@@ -1,6 +1,7 @@
 /// The numbers of FORMAT.md that reader and writer share.
 #pragma once
 #include <cstdint>
+#include <weft/weft.h>
 
 namespace weft::file {
 
@@ -17,10 +18,13 @@ constexpr std::uint32_t kind(char a, char b, char c, char d)
 }
 constexpr std::uint32_t meth = kind('M', 'E', 'T', 'H'), splt = kind('S', 'P', 'L', 'T'),
                         band = kind('B', 'A', 'N', 'D'), tile = kind('T', 'I', 'L', 'E'),
-                        bila = kind('B', 'I', 'L', 'A');
+                        bila = kind('B', 'I', 'L', 'A'), corr = kind('C', 'O', 'R', 'R');
 
-constexpr std::uint32_t meth_head = 16, splt_head = 32, band_head = 16,
-                        tile_head = 16; ///< bytes of the payload before its floats
+constexpr std::uint32_t meth_head = 16, splt_head = 32, band_head = 16, tile_head = 16,
+                        corr_head = 32; ///< bytes of the payload before its values
+
+/// Chunks that follow METH.
+constexpr std::uint32_t layers_of(weft_method method) { return method == WEFT_METHOD_STATIONARY ? 2 : 1; }
 
 constexpr std::uint64_t padded(std::uint64_t length) { return (length + 7) / 8 * 8; }
 

@@ -88,10 +88,11 @@ Method read_method(const Chunk& chunk, Model& model)
     demand(reader.remaining() == std::size_t{model.channels} * 4, "METH has ", chunk.payload.remaining(), " bytes");
     reader.floats(model.mean.data(), model.channels);
     if (method != WEFT_METHOD_TEXTON && method != WEFT_METHOD_WAVELET && method != WEFT_METHOD_BILAYER &&
-        method != WEFT_METHOD_PICTURE)
+        method != WEFT_METHOD_STATIONARY && method != WEFT_METHOD_PICTURE)
         throw Error(WEFT_ERROR_UNSUPPORTED, "method ", method, " is not known to this libweft");
-    demand(result.layers == 1, "the model has ", result.layers, " layers, its method has 1");
     model.method = static_cast<weft_method>(method);
+    const std::uint32_t layers = file::layers_of(model.method);
+    demand(result.layers == layers, "the model has ", result.layers, " layers, its method has ", layers);
     return result;
 }
 
@@ -154,10 +155,31 @@ void read_bands(Reader& reader, Model& model)
 
 void read_tile(Reader& reader, std::pmr::memory_resource* memory, Model& model)
 {
-    demand(model.method == WEFT_METHOD_PICTURE, "a chunk TILE is not of the model's method");
+    demand(model.method == WEFT_METHOD_PICTURE || model.method == WEFT_METHOD_STATIONARY,
+           "a chunk TILE is not of the model's method");
+    demand(model.picture.values.empty(), "the model has a second TILE");
     const std::uint32_t width = reader.u32(), height = reader.u32(), planes = reader.u32();
     demand(reader.u32() == 0, "TILE's reserved field is not zero");
     model.picture = read_planes(reader, memory, width, height, planes, 1, model);
+}
+
+void read_correspondence(Reader& reader, std::pmr::memory_resource* memory, Model& model)
+{
+    demand(model.method == WEFT_METHOD_STATIONARY, "a chunk CORR is not of the model's method");
+    Correspondence& from = model.correspondence;
+    demand(!model.picture.values.empty() && from.x.empty(), "CORR does not follow a TILE, or is the second");
+    const std::uint32_t width = reader.u32(), height = reader.u32();
+    for (std::uint32_t* number : {&from.photo_width, &from.photo_height, &from.patch}) *number = reader.u32();
+    for (int i = 0; i < 3; ++i) demand(reader.u32() == 0, "CORR's reserved fields are not zero");
+    demand(width == model.picture.width && height == model.picture.height, "CORR is of ", width, " x ", height,
+           " pixels, the tile of ", model.picture.width, " x ", model.picture.height);
+    const std::size_t area = model.picture.area();
+    demand(reader.remaining() == area * 4, "CORR has ", reader.remaining(), " bytes of values, its sizes say ",
+           area * 4);
+    for (Array<std::uint16_t>* places : {&from.x, &from.y}) {
+        *places = Array<std::uint16_t>(memory, area, Array<std::uint16_t>::unset);
+        for (std::uint16_t& place : *places) place = reader.u16();
+    }
 }
 
 void read_layer(Chunk& chunk, std::pmr::memory_resource* memory, Model& model)
@@ -168,6 +190,8 @@ void read_layer(Chunk& chunk, std::pmr::memory_resource* memory, Model& model)
         read_bilayer(chunk.payload, memory, model);
     else if (chunk.kind == file::band)
         read_bands(chunk.payload, model);
+    else if (chunk.kind == file::corr)
+        read_correspondence(chunk.payload, memory, model);
     else
         read_tile(chunk.payload, memory, model);
 }
@@ -196,7 +220,7 @@ Model read_model(std::pmr::memory_resource* memory, const unsigned char* bytes, 
     for (std::uint32_t i = 1; i < header.chunks; ++i) {
         Chunk chunk = read_chunk(reader);
         if (chunk.kind == file::meth || chunk.kind == file::splt || chunk.kind == file::band ||
-            chunk.kind == file::tile || chunk.kind == file::bila) {
+            chunk.kind == file::tile || chunk.kind == file::bila || chunk.kind == file::corr) {
             demand(!chunk.ignorable && chunk.kind != file::meth, "a chunk is marked as ignorable, or is a second METH");
             demand(layers++ < method.layers, "the model has more layers than METH says");
             read_layer(chunk, memory, model);

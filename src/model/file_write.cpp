@@ -28,14 +28,19 @@ std::uint64_t layer_length(const Model& model) noexcept
     }
 }
 
-void write_header(Writer& file, std::uint64_t size)
+std::uint64_t correspondence_length(const Model& model) noexcept
+{
+    return file::corr_head + std::uint64_t{model.correspondence.x.size()} * 4;
+}
+
+void write_header(Writer& file, const Model& model, std::uint64_t size)
 {
     unsigned char* begin = file.skip(file::header_size);
     Writer writer(begin, file::header_size);
     writer.raw(file::magic, sizeof file::magic);
     writer.u16(file::major);
     writer.u16(file::minor);
-    writer.u32(2);
+    writer.u32(1 + file::layers_of(model.method));
     writer.u64(size);
     writer.u32(0);
     writer.u32(crc32c(begin, file::header_size - 4));
@@ -92,22 +97,35 @@ void write_tile(Writer& to, const Model& model)
     to.floats(planes.values.data(), planes.values.size());
 }
 
+void write_correspondence(Writer& to, const Model& model)
+{
+    const Correspondence& from = model.correspondence;
+    for (const std::uint32_t number :
+         {model.picture.width, model.picture.height, from.photo_width, from.photo_height, from.patch, 0U, 0U, 0U})
+        to.u32(number);
+    for (const Array<std::uint16_t>* places : {&from.x, &from.y})
+        for (const std::uint16_t place : *places) to.u16(place);
+}
+
 } // namespace
 
 std::uint64_t size_of_file(const Model& model) noexcept
 {
-    return file::header_size + 2 * file::chunk_header_size + file::padded(method_length(model)) +
-           file::padded(layer_length(model));
+    std::uint64_t size = file::header_size + 2 * file::chunk_header_size + file::padded(method_length(model)) +
+                         file::padded(layer_length(model));
+    if (model.method == WEFT_METHOD_STATIONARY)
+        size += file::chunk_header_size + file::padded(correspondence_length(model));
+    return size;
 }
 
 void write_model(const Model& model, unsigned char* bytes, std::size_t size)
 {
     Writer file(bytes, size);
-    write_header(file, size);
+    write_header(file, model, size);
     write_chunk(file, file::meth, method_length(model), [&](Writer& to) {
         to.u32(static_cast<std::uint32_t>(model.method));
         to.u32(model.channels);
-        to.u32(1);
+        to.u32(file::layers_of(model.method));
         to.u32(0);
         to.floats(model.mean.data(), model.channels);
     });
@@ -120,8 +138,11 @@ void write_model(const Model& model, unsigned char* bytes, std::size_t size)
     case WEFT_METHOD_BILAYER:
         return write_chunk(file, file::bila, length, [&](Writer& to) { write_bilayer(to, model); });
     default:
-        return write_chunk(file, file::tile, length, [&](Writer& to) { write_tile(to, model); });
+        write_chunk(file, file::tile, length, [&](Writer& to) { write_tile(to, model); });
     }
+    if (model.method == WEFT_METHOD_STATIONARY)
+        write_chunk(file, file::corr, correspondence_length(model),
+                    [&](Writer& to) { write_correspondence(to, model); });
 }
 
 } // namespace weft

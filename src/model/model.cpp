@@ -37,6 +37,26 @@ void check_wavelet(const Model& model, const Rules& rules)
     rules.colours(wavelet, model.channels);
 }
 
+void check_correspondence(const Model& model, const Rules& rules)
+{
+    const Correspondence& from = model.correspondence;
+    rules.demand(from.patch >= 1 && from.patch <= most_patch && from.patch % 2 == 1, "the patches are ", from.patch,
+                 " a side, not odd in 1..", most_patch);
+    for (const std::uint32_t side : {from.photo_width, from.photo_height})
+        rules.demand(side >= from.patch && side <= most_side, "the photo's side is ", side, ", not ", from.patch, "..",
+                     most_side);
+    const auto within = [&](const Array<std::uint16_t>& places, std::uint32_t side) {
+        rules.demand(places.size() == model.picture.area(), "the correspondence has ", places.size(),
+                     " places, the tile has ", model.picture.area(), " pixels");
+        const std::uint32_t first = from.reach(), last = side - 1 - from.reach();
+        for (const std::uint16_t place : places)
+            rules.demand(place >= first && place <= last, "the correspondence names ", place, ", not ", first, "..",
+                         last);
+    };
+    within(from.x, from.photo_width);
+    within(from.y, from.photo_height);
+}
+
 } // namespace
 
 void check_model(const Model& model, weft_status broken)
@@ -50,8 +70,11 @@ void check_model(const Model& model, weft_status broken)
         rules.demand(model.mean[c] == 0, "the model has a mean beyond its channels");
     rules.demand(model.method == WEFT_METHOD_TEXTON || model.texton.coefficients.values.empty(),
                  "the model has a texton, but another method");
-    rules.demand(model.method == WEFT_METHOD_PICTURE || model.picture.values.empty(),
+    const bool stationary = model.method == WEFT_METHOD_STATIONARY;
+    rules.demand(model.method == WEFT_METHOD_PICTURE || stationary || model.picture.values.empty(),
                  "the model has a picture, but another method");
+    rules.demand(stationary || (model.correspondence.x.empty() && model.correspondence.y.empty()),
+                 "the model has a correspondence, but another method");
     rules.demand(model.method == WEFT_METHOD_BILAYER || model.bilayer.noises.empty(),
                  "the model has noises under masks, but another method");
     switch (model.method) {
@@ -62,8 +85,10 @@ void check_model(const Model& model, weft_status broken)
     case WEFT_METHOD_BILAYER:
         return check_bilayer(model, rules);
     case WEFT_METHOD_PICTURE:
+    case WEFT_METHOD_STATIONARY:
         for (const float mean : model.mean) rules.demand(mean == 0, "a picture's model has a mean");
-        return rules.planes(model.picture, model.channels, "picture");
+        rules.planes(model.picture, model.channels, stationary ? "tile" : "picture");
+        return stationary ? check_correspondence(model, rules) : void();
     default:
         throw Error(WEFT_ERROR_UNSUPPORTED, "method ", model.method, " is not known to this libweft");
     }

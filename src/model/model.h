@@ -2,6 +2,7 @@
 #pragma once
 #include "base/array.h"
 #include "model/bilayer.h"
+#include "model/correspondence.h"
 #include "model/wavelet.h"
 #include <array>
 #include <memory_resource>
@@ -29,11 +30,13 @@ struct Texton {
 struct Model {
     weft_method method = 0;
     std::uint32_t channels = 0;
-    std::array<float, most_channels> mean{}; ///< of the noise (of the first step; before tone curves); PICTURE: 0
-    Texton texton;                           ///< WEFT_METHOD_TEXTON
-    Wavelet wavelet;                         ///< WEFT_METHOD_WAVELET
-    Bilayer bilayer;                         ///< WEFT_METHOD_BILAYER
-    Planes picture;                          ///< WEFT_METHOD_PICTURE
+    std::array<float, most_channels>
+        mean{};                    ///< of the noise (of the first step; before tone curves); PICTURE, STATIONARY: 0
+    Texton texton;                 ///< WEFT_METHOD_TEXTON
+    Wavelet wavelet;               ///< WEFT_METHOD_WAVELET
+    Bilayer bilayer;               ///< WEFT_METHOD_BILAYER
+    Planes picture;                ///< WEFT_METHOD_PICTURE; the tile of WEFT_METHOD_STATIONARY
+    Correspondence correspondence; ///< WEFT_METHOD_STATIONARY
 };
 
 /// Throws Error(broken) unless every number is finite and every count within its bounds, and

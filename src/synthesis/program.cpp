@@ -16,7 +16,7 @@ void check_period(std::uint32_t period, std::uint32_t size, const char* field)
 {
     require(period <= most_period, "weft_texture_create: options->", field, " is ", period, ", more than 2^24");
     require(size == 0 || period % size == 0, "weft_texture_create: options->", field, " is ", period,
-            ", no multiple of the picture's ", size);
+            ", no multiple of the picture's or tile's ", size);
 }
 
 void check_mix(const Model& model, const weft_texture_options& options)
@@ -75,7 +75,7 @@ Program::Program(Core& core, const Model& model, const weft_texture_options& opt
         add_bands(core, model.wavelet, options, positions);
     else if (model.method == WEFT_METHOD_BILAYER)
         add_bilayer(core, model.bilayer, options);
-    else if (model.method == WEFT_METHOD_PICTURE)
+    else if (model.method == WEFT_METHOD_PICTURE || model.method == WEFT_METHOD_STATIONARY)
         add_picture(core, model.picture, options);
     else if (positions == in_space)
         add_surface(core, model.texton, options);

@@ -49,6 +49,29 @@ static void weft_h(void)
     FIELD(weft_wavelet_options, bands);
     FIELD(weft_wavelet_options, tone_knots);
     FIELD(weft_wavelet_options, gaussian);
+    STRUCT(weft_stationary_step);
+    FIELD(weft_stationary_step, size);
+    FIELD(weft_stationary_step, level);
+    FIELD(weft_stationary_step, levels);
+    FIELD(weft_stationary_step, iteration);
+    FIELD(weft_stationary_step, iterations);
+    FIELD(weft_stationary_step, width);
+    FIELD(weft_stationary_step, height);
+    FIELD(weft_stationary_step, texture_cost);
+    FIELD(weft_stationary_step, stationarity_cost);
+    STRUCT(weft_stationary_options);
+    FIELD(weft_stationary_options, size);
+    FIELD(weft_stationary_options, width);
+    FIELD(weft_stationary_options, height);
+    FIELD(weft_stationary_options, stationarity);
+    FIELD(weft_stationary_options, moments);
+    FIELD(weft_stationary_options, sigma);
+    FIELD(weft_stationary_options, patch);
+    FIELD(weft_stationary_options, start);
+    FIELD(weft_stationary_options, seed);
+    FIELD(weft_stationary_options, sigma_map);
+    FIELD(weft_stationary_options, report);
+    FIELD(weft_stationary_options, report_user);
     STRUCT(weft_model_info);
     FIELD(weft_model_info, size);
     FIELD(weft_model_info, method);
@@ -61,6 +84,8 @@ static void weft_h(void)
     FIELD(weft_model_info, interpolation);
     FIELD(weft_model_info, mean);
     FIELD(weft_model_info, deviation);
+    FIELD(weft_model_info, photo_width);
+    FIELD(weft_model_info, photo_height);
     STRUCT(weft_wavelet);
     FIELD(weft_wavelet, size);
     FIELD(weft_wavelet, channels);
@@ -116,6 +141,17 @@ static void weft_h(void)
     FIELD(weft_comparison, repetition);
     FIELD(weft_comparison, verbatim_copy);
     FIELD(weft_comparison, seam_score);
+    STRUCT(weft_stationarity_options);
+    FIELD(weft_stationarity_options, size);
+    FIELD(weft_stationarity_options, stationarity);
+    FIELD(weft_stationarity_options, sigma);
+    FIELD(weft_stationarity_options, moments);
+    STRUCT(weft_texture_cost_options);
+    FIELD(weft_texture_cost_options, size);
+    FIELD(weft_texture_cost_options, patch);
+    FIELD(weft_texture_cost_options, samples);
+    FIELD(weft_texture_cost_options, zero);
+    FIELD(weft_texture_cost_options, seed);
 }
 
 static void backend_h(void)
