@@ -8,15 +8,60 @@ bool is_composed(const weft_tile& tile)
     return tile.address != WEFT_ADDRESS_CELLS || tile.exchange || tile.displacement.layer >= 0;
 }
 
-Composed open_composed(const weft_layer& layer, const weft_program& program)
+namespace {
+
+/// Floats of a texel of a copy: its planes, in eights.
+uint32_t copied_planes(const weft_mips& source) { return (source.planes + 7) / 8 * 8; }
+
+size_t copied_size(const weft_mips& source, const weft_mip& mip)
+{
+    return (size_t(mip.width) + 1) * (size_t(mip.height) + 1) * copied_planes(source);
+}
+
+/// One column and one row more than there are repeat the first, so that four texels are always neighbours.
+void copy_level(const weft_mips& source, const weft_mip& mip, float* to)
+{
+    const uint32_t planes = copied_planes(source);
+    const size_t plane = size_t(mip.width) * mip.height;
+    for (uint32_t y = 0; y <= mip.height; ++y)
+        for (uint32_t x = 0; x <= mip.width; ++x, to += planes) {
+            const float* from = mip.data + size_t(y % mip.height) * mip.width + x % mip.width;
+            for (uint32_t p = 0; p < planes; ++p) to[p] = p < source.planes ? from[p * plane] : 0.0f;
+        }
+}
+
+bool copy_source(const weft_mips& source, Buffer<float>& data, Texels* texels)
+{
+    size_t total = 0;
+    for (uint32_t l = 0; l < source.levels; ++l) total += copied_size(source, source.level[l]);
+    if (!data.reserve(total)) return false;
+    float* to = data.data();
+    for (uint32_t l = 0; l < source.levels; ++l) {
+        const weft_mip& mip = source.level[l];
+        copy_level(source, mip, to);
+        texels[l] = {};
+        texels[l].data = to;
+        texels[l].row = (int64_t(mip.width) + 1) * copied_planes(source);
+        to += copied_size(source, mip);
+    }
+    return true;
+}
+
+} // namespace
+
+bool open_composed(const weft_layer& layer, const weft_program& program, bool copied, Buffer<float>& data,
+                   Texels* texels, Composed& composed)
 {
     const weft_tile& tile = *layer.tile;
-    return {&tile,
-            layer.planes,
-            {program.period[0] != 0 ? tile.x.cells : 0, program.period[1] != 0 ? tile.y.cells : 0},
-            weft_key(program.seed, layer.stream, WEFT_TAG_NORTH),
-            weft_key(program.seed, layer.stream, WEFT_TAG_WEST),
-            weft_key(program.seed, layer.stream, WEFT_TAG_CONTENTS)};
+    composed = {&tile,
+                layer.planes,
+                {program.period[0] != 0 ? tile.x.cells : 0, program.period[1] != 0 ? tile.y.cells : 0},
+                weft_key(program.seed, layer.stream, WEFT_TAG_NORTH),
+                weft_key(program.seed, layer.stream, WEFT_TAG_WEST),
+                weft_key(program.seed, layer.stream, WEFT_TAG_CONTENTS),
+                copied_planes(*tile.source) / 8,
+                texels};
+    return !copied || copy_source(*tile.source, data, texels);
 }
 
 namespace {
@@ -38,8 +83,8 @@ void compose_point(const Rows& rows, const Tile& tile, const weft_spot& spot, co
         at[axis] = tile.place(axis, spot.cell[axis], spot.fraction[axis]);
         if (displacement) at[axis] = displaced(tile, axis, at[axis], displacement[axis]);
     }
-    const Places places[2] = {{&at[0].cell, &at[0].texel, &at[0].fraction},
-                              {&at[1].cell, &at[1].texel, &at[1].fraction}};
+    const Axis_places places[2] = {{&at[0].cell, &at[0].texel, &at[0].fraction},
+                                   {&at[1].cell, &at[1].texel, &at[1].fraction}};
     rows.compose(tile.composed, places, 1, spot.level, first, count, f, 1);
 }
 
@@ -76,7 +121,7 @@ void Composed_block::strip(const Strip& strip, const float* displacement)
     const size_t plane = size_t(strip.count) * strip.stride;
     for (uint32_t y = 0; y < strip.count; ++y) {
         row(strip.first + y, displacement ? displacement + size_t(y) * strip.stride : nullptr, plane);
-        const Places places[2] = {moved_[0].places(), moved_[1].places()};
+        const Axis_places places[2] = {moved_[0].places(), moved_[1].places()};
         rows_->compose(tile_->composed, places, strip.width, float(block_.level), 0, tile_->planes,
                        strip.data + size_t(y) * strip.stride, plane);
     }

@@ -9,7 +9,10 @@ namespace weft {
 /// Whether a layer asks for one of them.
 bool is_composed(const weft_tile& tile);
 
-Composed open_composed(const weft_layer& layer, const weft_program& program);
+/// Fills `composed`. With `copied`, the source's levels are laid out in `data` as the kernels want them, and `texels`,
+/// of as many as there are, say where; false: no memory.
+bool open_composed(const weft_layer& layer, const weft_program& program, bool copied, Buffer<float>& data,
+                   Texels* texels, Composed& composed);
 
 /// f of planes first..first + count - 1 at a position; `displacement` is null or two planes' values.
 void compose_point(const Rows& rows, const Tile& tile, const weft_spot& spot, const float* displacement, uint32_t first,
@@ -25,7 +28,7 @@ public:
     void strip(const Strip& strip, const float* displacement);
 
 private:
-    /// Places along one axis.
+    /// Axis_places along one axis.
     struct Axis {
         explicit Axis(const weft_host* host) : cells(host), texels(host), fractions(host) {}
         bool reserve(size_t count) { return cells.reserve(count) && texels.reserve(count) && fractions.reserve(count); }
@@ -36,7 +39,7 @@ private:
             texels.data()[i] = place.texel;
             fractions.data()[i] = place.fraction;
         }
-        Places places() const { return {cells.data(), texels.data(), fractions.data()}; }
+        Axis_places places() const { return {cells.data(), texels.data(), fractions.data()}; }
 
         Buffer<int64_t> cells;
         Buffer<int32_t> texels;

@@ -52,10 +52,12 @@ struct Composed {
     uint32_t planes;
     uint32_t cells[2];              ///< to a period; 0: endless
     uint64_t north, west, contents; ///< keys
+    uint32_t groups;                ///< of eight planes
+    const Texels* texels;           ///< levels; only for kernels that want copies
 };
 
 /// Where a TILE is looked at: an axis's cells, texels and fractions.
-struct Places {
+struct Axis_places {
     const int64_t* cell;
     const int32_t* texel;
     const float* fraction;
@@ -161,7 +163,7 @@ struct Rows {
                         size_t pitch);
 
     /// f of planes first..first + planes - 1 at `count` places, a plane `pitch` floats after the one before.
-    void (*compose)(const Composed& tile, const Places* places, uint32_t count, float level, uint32_t first,
+    void (*compose)(const Composed& tile, const Axis_places* places, uint32_t count, float level, uint32_t first,
                     uint32_t planes, float* f, size_t pitch);
     void (*expand)(const float* texels, const Columns& columns, float* row);
     /// row = t (b - a) + a, also where t is 0.

@@ -11,11 +11,12 @@ namespace weft {
 namespace WEFT_ISA {
 namespace {
 
+#include "compose_look.inl"
 #include "impacts.inl"
-#include "compose_plain.inl"
 #if WEFT_LANES == 1
 #include "bands_plain.inl"
 #include "bands_rows.inl"
+#include "compose_plain.inl"
 #include "splat_plain.inl"
 #include "surface_plain.inl"
 #else
@@ -26,6 +27,8 @@ namespace {
 #include "bands_solid.inl"
 #include "splat_gather.inl"
 #include "surface_gather.inl"
+
+#include "compose_gather.inl"
 #endif
 
 void expand(const float* texels, const Columns& columns, float* row)
@@ -135,9 +138,9 @@ const Rows rows = {0,
                    multiply,
                    mix};
 #else
-const Rows rows = {lanes - 1,   band_apron,  strip_height,  1,        spots,      scratch,     find_impacts,
-                   splat_strip, splat_point, splat_surface, refine,   spline_row, spline_rows, bands_spots,
-                   compose,     expand,      lerp,          tone,     multiply,   mix};
+const Rows rows = {lanes - 1,   band_apron,  strip_height,  1,      spots,      scratch,     find_impacts,
+                   splat_strip, splat_point, splat_surface, refine, spline_row, spline_rows, bands_spots,
+                   compose,     expand,      lerp,          tone,   multiply,   mix};
 #endif
 
 } // namespace WEFT_ISA

@@ -194,6 +194,16 @@ bool open_splat(weft_backend_texture& texture, Layer& layer)
     return true;
 }
 
+bool open_tile(weft_backend_texture& texture, Layer& layer)
+{
+    const weft_program& program = *texture.program;
+    const weft_tile& tile = *layer.source->tile;
+    layer.tile = {&tile, layer.source->planes, {program.period[0], program.period[1]}, {}};
+    layer.composed = is_composed(tile);
+    return !layer.composed || open_composed(*layer.source, program, texture.rows->interleaved != 0, layer.data,
+                                            layer.texels, layer.tile.composed);
+}
+
 bool open_layer(weft_backend_texture& texture, uint32_t index)
 {
     const weft_program& program = *texture.program;
@@ -205,12 +215,7 @@ bool open_layer(weft_backend_texture& texture, uint32_t index)
     if (layer.source->kind == WEFT_LAYER_BANDS)
         return open_bands(*layer.source, program.use, texture.rows->interleaved != 0, layer.lattices, layer.data,
                           layer.bands);
-    layer.tile = {layer.source->tile,
-                  layer.source->planes,
-                  {program.period[0], program.period[1]},
-                  open_composed(*layer.source, program)};
-    layer.composed = is_composed(*layer.source->tile);
-    return true;
+    return open_tile(texture, layer);
 }
 
 } // namespace

@@ -1,0 +1,162 @@
+/// TILE with WANG or exchange: which places of the source a position shows. Included by rows.inl, inside its unnamed
+/// namespace. Hashes are kept from position to position, since neighbours are in the same cells and patches.
+
+/// Both axes of where something is looked up.
+struct Spot_place {
+    weft_place x, y;
+};
+
+/// What a position shows of a view, before exchange.
+struct View {
+    Spot_place cell;          ///< in the view's cell
+    int32_t texel_x, texel_y; ///< of the source
+    uint32_t map;
+
+    Spot_place base() const { return {{0, texel_x, cell.x.fraction}, {0, texel_y, cell.y.fraction}}; }
+};
+
+/// What exchange put into a view, and its share of it; 0: nothing.
+struct Content {
+    Spot_place source;
+    weft_between level;
+    float share;
+};
+
+/// The colours of edges, as they were hashed last.
+class Colours {
+public:
+    Colours(uint64_t key, uint32_t colours) : key_(key), colours_(colours) {}
+
+    uint32_t at(int64_t x, int64_t y)
+    {
+        Held& held = held_[(x & 1) + 2 * (y & 1)];
+        if (held.colour == none || held.x != x || held.y != y) held = {x, y, weft_wang_colour(key_, x, y, colours_)};
+        return held.colour;
+    }
+
+private:
+    static constexpr uint32_t none = UINT32_MAX;
+    struct Held {
+        int64_t x, y;
+        uint32_t colour;
+    };
+
+    uint64_t key_;
+    uint32_t colours_;
+    Held held_[4] = {{0, 0, none}, {0, 0, none}, {0, 0, none}, {0, 0, none}};
+};
+
+/// A level of a composed TILE, looked at.
+class Looker {
+public:
+    Looker(const Composed& c, float level)
+        : level_(weft_tile_level(level, c.tile->level, c.tile->source->levels)), c_(c), tile_(*c.tile),
+          wanted_(level + tile_.level), north_(c.north, tile_.wang ? tile_.wang->colours : 0),
+          west_(c.west, tile_.wang ? tile_.wang->colours : 0)
+    {
+        if (tile_.exchange) feather_ = between(tile_.exchange->feather + level_.whole, 1);
+    }
+
+    const weft_between& level() const { return level_; }
+
+    /// Two views, and the share of the first, that of the north or south edge.
+    float views(const Spot_place& at, View& first, View& second)
+    {
+        const weft_wang& wang = *tile_.wang;
+        const weft_half x = weft_half_at(at.x, tile_.width, wang.unit_x);
+        const weft_half y = weft_half_at(at.y, tile_.height, wang.unit_y);
+        Spot_place north = at, west = at;
+        if (y.second != 0) north.y.cell = weft_cell_after(at.y.cell, c_.cells[1]);
+        if (x.second != 0) west.x.cell = weft_cell_after(at.x.cell, c_.cells[0]);
+        const uint32_t a = north_.at(north.x.cell, north.y.cell), b = west_.at(west.x.cell, west.y.cell);
+        north.y.texel = y.texel;
+        west.x.texel = x.texel;
+        first = view(north, a);
+        second = view(west, wang.colours + b);
+        const weft_knot knot = weft_wang_knot(x.distance, y.distance, wang.knots);
+        const size_t row = weft_wang_contour(y.second, x.second, a, b, wang.colours);
+        const int8_t* depths = wang.contours + row * (wang.knots + 1) + knot.k;
+        const float* sharp = wang.sharp + size_t(level_.whole) * (wang.knots + 1) + knot.k;
+        return weft_wang_share(knot, float(depths[0]), float(depths[1]), between(sharp, wang.knots + 1),
+                               between(sharp + 1, wang.knots + 1));
+    }
+
+    /// `slot` is 0 or 1: whose hashes to keep.
+    Content content(const View& view, uint32_t slot)
+    {
+        const weft_exchange& exchange = *tile_.exchange;
+        const uint32_t* map = exchange.map + size_t(view.map) * tile_.width * tile_.height;
+        const float depth = depth_at(map, view.cell);
+        if (!(depth > 0)) return {};
+        const weft_place &x = view.cell.x, &y = view.cell.y;
+        const uint32_t entry = map[size_t(y.texel) * tile_.width + size_t(x.texel)];
+        const weft_patch& patch = exchange.patches[weft_map_patch(entry)];
+        const uint32_t number = content_of(view.cell, entry, held_[slot]);
+        const float dx = weft_from_anchor(x.texel, x.fraction, weft_map_left(entry), tile_.width, patch.x);
+        const float dy = weft_from_anchor(y.texel, y.fraction, weft_map_above(entry), tile_.height, patch.y);
+        const weft_direction direction = weft_direction_of(dx, dy);
+        const uint8_t* contour = exchange.contours + size_t(number) * WEFT_CONTOUR;
+        const float shown = weft_lerp(float(contour[direction.first]), float(contour[direction.second]), direction.t);
+        const float share = weft_content_share(depth, shown, feather_);
+        if (!(share > 0)) return {};
+        const weft_content& content = exchange.contents[number];
+        const float* turn = content.turn;
+        return {{weft_content_place(content.x, turn[0] * dx + turn[1] * dy, tile_.source->width),
+                 weft_content_place(content.y, turn[2] * dx + turn[3] * dy, tile_.source->height)},
+                weft_tile_level(wanted_, content.level, tile_.source->levels),
+                share};
+    }
+
+private:
+    /// The content of the patch that was hashed last.
+    struct Held {
+        int64_t x, y;
+        uint32_t patch, content;
+    };
+
+    /// One number of a level, those of the next level being `step` further.
+    float between(const float* numbers, size_t step) const
+    {
+        return level_.t > 0 ? weft_lerp(numbers[0], numbers[step], level_.t) : numbers[0];
+    }
+
+    View view(const Spot_place& at, uint32_t map) const
+    {
+        const weft_diamond& diamond = tile_.wang->diamonds[map];
+        return {at, weft_wang_texel(diamond.x, at.x.texel, tile_.source->width),
+                weft_wang_texel(diamond.y, at.y.texel, tile_.source->height), map};
+    }
+
+    float depth_at(const uint32_t* map, const Spot_place& at) const
+    {
+        const weft_pair x = weft_pair_at(at.x, 0, 0.0f, tile_.width), y = weft_pair_at(at.y, 0, 0.0f, tile_.height);
+        const uint32_t* upper = map + size_t(y.first) * tile_.width;
+        const uint32_t* lower = map + size_t(y.second) * tile_.width;
+        return weft_depth(weft_map_depth(upper[x.first]), weft_map_depth(upper[x.second]),
+                          weft_map_depth(lower[x.first]), weft_map_depth(lower[x.second]), x.t, y.t);
+    }
+
+    /// Number of the content that a patch shows, which began in this cell or in one before.
+    uint32_t content_of(const Spot_place& at, uint32_t entry, Held& held) const
+    {
+        const weft_exchange& exchange = *tile_.exchange;
+        const uint32_t patch = weft_map_patch(entry);
+        const int64_t x = weft_map_left(entry) != 0 ? weft_cell_before(at.x.cell, c_.cells[0]) : at.x.cell;
+        const int64_t y = weft_map_above(entry) != 0 ? weft_cell_before(at.y.cell, c_.cells[1]) : at.y.cell;
+        if (held.patch == patch && held.x == x && held.y == y) return held.content;
+        const uint32_t draw = weft_content_draw(c_.contents, x, y, patch);
+        uint32_t content = exchange.patches[patch].first;
+        const uint32_t last = content + exchange.patches[patch].count - 1;
+        while (content < last && draw >= exchange.contents[content].until) ++content;
+        held = {x, y, patch, content};
+        return content;
+    }
+
+    weft_between level_;
+    const Composed& c_;
+    const weft_tile& tile_;
+    float wanted_; ///< the level before it is clamped
+    float feather_ = 0;
+    Colours north_, west_;
+    Held held_[2] = {{0, 0, UINT32_MAX, 0}, {0, 0, UINT32_MAX, 0}};
+};
