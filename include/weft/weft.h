@@ -311,7 +311,7 @@ typedef struct weft_model_info {
   uint32_t    channels;
   uint32_t    parts;         /* images that weft_model_part hands out */
   uint64_t    bytes;         /* of weft_model_save */
-  uint32_t    width, height; /* of the texton, tile or picture, in pixels of the exemplar */
+  uint32_t    width, height; /* of the texton, structure, tile or picture, in pixels of the exemplar */
   float       model_error;   /* relative model error against the periodogram of the photo (Xia et al. 2014): 0 best; -1: unknown */
   weft_interpolation interpolation; /* of the texton; 0 for other methods */
   float       mean[16];      /* of the texture, per channel: exact; of a mixed model, here and below: of its first step */
@@ -371,7 +371,10 @@ WEFT_API weft_status weft_model_mix(weft_context *context, const weft_model *a, 
 typedef struct weft_part_info {
   uint32_t size;
   char     name[32]; /* "texton", "picture"; of a mixed model "texton 0", "texton 1", ...; of a stationary one "tile" and
-                        "correspondence": x and y of the pixel of the photo that is the middle of each pixel's patch */
+                        "correspondence": x and y of the pixel of the photo that is the middle of each pixel's patch; of a bi-layer
+                        one "structure", "mask 0", ..., "texton 0", ... along principal axes, "noise": what the photo
+                        has beyond its structure, "patches": their numbers, "contents": a row of patch, x, y, degrees,
+                        scale for each */
   uint32_t width, height, channels;
   float    low, high; /* least and greatest value in it */
 } weft_part_info;
