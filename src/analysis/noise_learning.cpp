@@ -1,0 +1,121 @@
+/// A cluster's pixels along their principal axes; the spectrum of each axis; a texton that has it.
+#include "analysis/noise_learning.h"
+#include "analysis/principal_axes.h"
+#include "analysis/texton_fit.h"
+#include "analysis/tone_curve.h"
+#include "base/hash.h"
+#include <algorithm>
+#include <cmath>
+
+namespace weft {
+namespace {
+
+constexpr double share_of_region = 0.9;  // the paper's
+constexpr double rank_tolerance = 1e-10; // of an axis's variance: float's rounding, squared, is below
+constexpr std::uint32_t knots = 10;
+constexpr std::uint32_t iterations = 100;
+
+/// The cluster's pixels less their mean, 0 elsewhere, and that mean.
+Planes masked(Core& core, const Planes& residual, const Regions& regions, std::uint32_t k, double* mean)
+{
+    Planes planes(&core.memory, residual.width, residual.height, residual.count);
+    for (std::size_t c = 0; c < residual.count; ++c) {
+        const float* from = residual.plane(c);
+        double sum = 0, members = 0;
+        for (std::size_t i = 0; i < residual.area(); ++i)
+            if (regions.nearest[i] == k) {
+                sum += static_cast<double>(from[i]);
+                members += 1;
+            }
+        mean[c] = members > 0 ? sum / members : 0;
+        for (std::size_t i = 0; i < residual.area(); ++i)
+            planes.plane(c)[i] =
+                regions.nearest[i] == k ? static_cast<float>(static_cast<double>(from[i]) - mean[c]) : 0.0F;
+    }
+    return planes;
+}
+
+/// Gives the cluster's pixels the scores of their ranks, and the noise the tone curve that undoes it.
+void equalize(Core& core, const Regions& regions, std::uint32_t k, double unit, double before, double after,
+              std::uint32_t axis, float* plane, Noise& noise)
+{
+    const std::size_t pixels = regions.nearest.size();
+    Array<float> members(&core.memory, pixels, Array<float>::unset);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < pixels; ++i)
+        if (regions.nearest[i] == k) members[count++] = plane[i];
+    const Normal_scores scores(core, members.data(), count);
+    fit_tone_curve(scores, unit, before, after, axis, noise);
+    scores.apply(core, members.data(), count, 1);
+    count = 0;
+    for (std::size_t i = 0; i < pixels; ++i)
+        if (regions.nearest[i] == k) plane[i] = members[count++];
+}
+
+/// plane <- what of it is in the region, less its mean there, 0 elsewhere. False if that is 0.
+bool confine(const Array<float>& region, float* plane) noexcept
+{
+    double sum = 0, members = 0, squares = 0;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+        sum += static_cast<double>(region[i] * plane[i]);
+        members += static_cast<double>(region[i]);
+    }
+    const auto mean = static_cast<float>(members > 0 ? sum / members : 0);
+    for (std::size_t i = 0; i < region.size(); ++i) {
+        plane[i] = region[i] * (plane[i] - mean);
+        squares += static_cast<double>(plane[i]) * static_cast<double>(plane[i]);
+    }
+    return squares > 0;
+}
+
+} // namespace
+
+Noise learn_noise(Core& core, const Planes& residual, const Regions& regions, std::uint32_t k,
+                  const Noise_choices& choices, Region_spectrum& spectrum, const Progress& progress)
+{
+    const std::uint32_t channels = residual.count, support = choices.support;
+    const SplineSamples samples = spline_samples(2);
+    progress.at(0);
+    double mean[most_channels];
+    const Planes planes = masked(core, residual, regions, k, mean);
+    const Principal_axes principal = principal_axes_of(core, planes);
+    Array<float> region(&core.memory, residual.area());
+    nearest_share(core, regions, k, share_of_region, region);
+    spectrum.set_region(region.data());
+    const auto members = static_cast<double>(std::count(regions.nearest.begin(), regions.nearest.end(), k));
+
+    Noise noise;
+    noise.knots = choices.equalize ? knots : 0;
+    noise.coefficients = Planes(&core.memory, support, support, channels);
+    double deviation[most_channels] = {};
+    Matrix unit;
+    unit.size = channels;
+    Planes plane(&core.memory, residual.width, residual.height, 1), texton(&core.memory, support, support, 1);
+    for (std::uint32_t p = 0; p < channels; ++p) {
+        progress.at(0.1 + 0.9 * p / channels);
+        noise.mean[p] = static_cast<float>(mean[p] / choices.scale);
+        for (std::uint32_t o = 0; o < channels; ++o) noise.axes[p][o] = static_cast<float>(principal.axes[p][o]);
+        set_flat_tone_curve(p, noise);
+        const double variance = principal.variance[p] * static_cast<double>(residual.area()) / std::max(members, 1.0);
+        const double after = std::sqrt(variance) / choices.scale;
+        if (!(principal.variance[p] > rank_tolerance * principal.variance[0]) || !(after > 1e-36)) continue;
+        project_on_axis(core, planes, principal.axes, p, plane.plane(0));
+        deviation[p] = choices.equalize ? std::clamp(after, 1e-3, 1e3) : after;
+        if (choices.equalize) equalize(core, regions, k, choices.scale, deviation[p], after, p, plane.plane(0), noise);
+        if (!confine(region, plane.plane(0))) continue;
+        const Target target = spectrum.target_of(plane.plane(0), samples);
+        Projection projection(core, target.spectra, samples, support);
+        projection.start(mix_in(choices.seed, p), texton);
+        fit_coefficients(core, projection, {iterations, true, true}, target, samples, texton,
+                         progress.part(0.1 + 0.9 * p / channels, 0.1 + 0.9 * (p + 1) / channels));
+        std::copy(texton.values.begin(), texton.values.end(), noise.coefficients.plane(p));
+        unit[p][p] = 1;
+    }
+    correct_colours(core, samples, unit, noise.coefficients);
+    for (std::uint32_t p = 0; p < channels; ++p)
+        for (std::size_t i = 0; i < noise.coefficients.area(); ++i)
+            noise.coefficients.plane(p)[i] *= static_cast<float>(deviation[p]);
+    return noise;
+}
+
+} // namespace weft
