@@ -66,6 +66,8 @@ bool open_composed(const weft_layer& layer, const weft_program& program, bool co
 
 namespace {
 
+constexpr uint32_t square = 32; ///< pixels
+
 weft_place displaced(const Tile& tile, uint32_t axis, const weft_place& place, float pixels)
 {
     const weft_grid& grid = axis == 0 ? tile.tile->x : tile.tile->y;
@@ -93,8 +95,8 @@ bool Composed_block::begin(const Rows& rows, const Tile& tile, const Block& bloc
     rows_ = &rows;
     tile_ = &tile;
     block_ = block;
-    if (!axes_[0].reserve(block.width) || !axes_[1].reserve(block.height) || !moved_[0].reserve(block.width) ||
-        !moved_[1].reserve(block.width))
+    if (!axes_[0].reserve(block.width) || !axes_[1].reserve(block.height) || !moved_[0].reserve(square) ||
+        !moved_[1].reserve(square))
         return false;
     const uint32_t fraction = block.level == 0 ? WEFT_FRACTION_HALF : 0;
     const int64_t step = int64_t(1) << block.level;
@@ -105,25 +107,30 @@ bool Composed_block::begin(const Rows& rows, const Tile& tile, const Block& bloc
     return true;
 }
 
-/// Fills moved_ with the places of a row's pixels.
-void Composed_block::row(uint32_t y, const float* displacement, size_t plane)
+/// Fills moved_ with the places of a row's pixels begin..end - 1.
+void Composed_block::row(uint32_t y, uint32_t begin, uint32_t end, const float* displacement, size_t plane)
 {
     const weft_place row = axes_[1].get(y);
-    for (uint32_t x = 0; x < block_.width; ++x) {
+    for (uint32_t x = begin; x < end; ++x) {
         const weft_place column = axes_[0].get(x);
-        moved_[0].set(x, displacement ? displaced(*tile_, 0, column, displacement[x]) : column);
-        moved_[1].set(x, displacement ? displaced(*tile_, 1, row, displacement[plane + x]) : row);
+        moved_[0].set(x - begin, displacement ? displaced(*tile_, 0, column, displacement[x]) : column);
+        moved_[1].set(x - begin, displacement ? displaced(*tile_, 1, row, displacement[plane + x]) : row);
     }
 }
 
+/// Column by column of squares: what pixels of a square look at, turned as it may be, stays in the nearest cache.
 void Composed_block::strip(const Strip& strip, const float* displacement)
 {
     const size_t plane = size_t(strip.count) * strip.stride;
-    for (uint32_t y = 0; y < strip.count; ++y) {
-        row(strip.first + y, displacement ? displacement + size_t(y) * strip.stride : nullptr, plane);
-        const Axis_places places[2] = {moved_[0].places(), moved_[1].places()};
-        rows_->compose(tile_->composed, places, strip.width, float(block_.level), 0, tile_->planes,
-                       strip.data + size_t(y) * strip.stride, plane);
+    const Axis_places places[2] = {moved_[0].places(), moved_[1].places()};
+    for (uint32_t begin = 0; begin < strip.width; begin += square) {
+        const uint32_t end = strip.width - begin < square ? strip.width : begin + square;
+        for (uint32_t y = 0; y < strip.count; ++y) {
+            const size_t offset = size_t(y) * strip.stride;
+            row(strip.first + y, begin, end, displacement ? displacement + offset : nullptr, plane);
+            rows_->compose(tile_->composed, places, end - begin, float(block_.level), 0, tile_->planes,
+                           strip.data + offset + begin, plane);
+        }
     }
 }
 

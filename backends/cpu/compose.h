@@ -46,13 +46,13 @@ private:
         Buffer<float> fractions;
     };
 
-    void row(uint32_t y, const float* displacement, size_t plane);
+    void row(uint32_t y, uint32_t begin, uint32_t end, const float* displacement, size_t plane);
 
     const Rows* rows_ = nullptr;
     const Tile* tile_ = nullptr;
     Block block_{};
     Axis axes_[2];  ///< columns and rows of the block
-    Axis moved_[2]; ///< pixels of a row
+    Axis moved_[2]; ///< pixels of a row of a square
 };
 
 } // namespace weft

@@ -1,8 +1,10 @@
 /// TILE with WANG or exchange in vectors of planes: a texel's planes lie side by side, in eights, and a column and a
-/// row more than there are repeat the first. Included by rows.inl, inside its unnamed namespace.
+/// row more than there are repeat the first. Some places at a time, in three rounds: their views, what of the source
+/// these show, its values; each round asks for the memory that the next one reads, since places lie scattered. Included
+/// by rows.inl, inside its unnamed namespace.
 
 constexpr uint32_t most_groups = (most_planes + 7) / 8;
-constexpr uint32_t composed_together = 16; ///< places
+constexpr uint32_t composed_together = 32; ///< places
 
 /// Four texels that are joined: the first of them, those below it, weights.
 struct Taps {
@@ -11,13 +13,66 @@ struct Taps {
     float x, y;
 };
 
+/// A place of the source, at one level or (t > 0) between two.
+struct Shown {
+    Taps fine, coarse;
+    float t;
+};
+
+/// A view after exchange: its base, into which its content is blended if that has a share.
+struct Exchanged {
+    Shown base, content;
+    float share;
+};
+
+/// The views of a place; the second one is blended into the first if it has a share.
+struct Composition {
+    View views[2];
+    float share;
+    Exchanged exchanged[2];
+};
+
 inline Taps taps_at(const Composed& c, const Spot_place& at, int32_t level)
 {
     const weft_mip& mip = c.tile->source->level[level];
     const weft_pair x = weft_pair_at(at.x, level, mip.scale_x, mip.width);
     const weft_pair y = weft_pair_at(at.y, level, mip.scale_y, mip.height);
     const Texels& texels = c.texels[level];
-    return {texels.data + y.first * texels.row + x.first * int64_t(8) * c.groups, texels.row, x.t, y.t};
+    const float* from = texels.data + y.first * texels.row + x.first * int64_t(8) * c.groups;
+    __builtin_prefetch(from);
+    __builtin_prefetch(from + texels.row);
+    return {from, texels.row, x.t, y.t};
+}
+
+inline Shown shown_at(const Composed& c, const Spot_place& at, const weft_between& level)
+{
+    Shown shown;
+    shown.fine = taps_at(c, at, level.whole);
+    shown.t = level.t;
+    if (level.t > 0) shown.coarse = taps_at(c, at, level.whole + 1);
+    return shown;
+}
+
+inline void find_views(const Composed& c, Looker& looker, const Spot_place& at, Composition& found)
+{
+    found.share = 0;
+    if (c.tile->wang) {
+        const float share = looker.views(at, found.views[1], found.views[0]);
+        if (share >= 1)
+            found.views[0] = found.views[1];
+        else
+            found.share = share;
+    } else
+        found.views[0] = {at, at.x.texel, at.y.texel, 0};
+}
+
+inline void exchange(const Composed& c, Looker& looker, const View& view, uint32_t slot, Exchanged& to)
+{
+    const Content content = c.tile->exchange ? looker.content(view, slot) : Content{};
+    const bool whole = content.share >= 1;
+    to.share = whole ? 0 : content.share;
+    to.base = whole ? shown_at(c, content.source, content.level) : shown_at(c, view.base(), looker.level());
+    if (to.share > 0) to.content = shown_at(c, content.source, content.level);
 }
 
 inline Pair lerp_pair(const Pair& a, const Pair& b, float t) { return (t - Pair{}) * (b - a) + a; }
@@ -29,63 +84,46 @@ inline Pair joined(const Taps& taps, uint32_t groups, uint32_t group)
                      lerp_pair(load_pair(lower), load_pair(lower + 8 * groups), taps.x), taps.y);
 }
 
-/// All planes of the source at a place.
-inline void source_values(const Composed& c, const Spot_place& at, const weft_between& level, float* f)
+inline Pair value_of(const Shown& shown, uint32_t groups, uint32_t group)
 {
-    const Taps taps = taps_at(c, at, level.whole);
-    for (uint32_t g = 0; g < c.groups; ++g) put(joined(taps, c.groups, g), f + 8 * g);
-    if (!(level.t > 0)) return;
-    const Taps coarse = taps_at(c, at, level.whole + 1);
-    for (uint32_t g = 0; g < c.groups; ++g)
-        put(lerp_pair(load_pair(f + 8 * g), joined(coarse, c.groups, g), level.t), f + 8 * g);
+    const Pair f = joined(shown.fine, groups, group);
+    return shown.t > 0 ? lerp_pair(f, joined(shown.coarse, groups, group), shown.t) : f;
 }
 
-/// f = lerp(f, g, t).
-inline void blend_values(const Composed& c, const float* g, float t, float* f)
+inline Pair value_of(const Exchanged& view, uint32_t groups, uint32_t group)
 {
-    for (uint32_t i = 0; i < c.groups; ++i) put(lerp_pair(load_pair(f + 8 * i), load_pair(g + 8 * i), t), f + 8 * i);
-}
-
-/// All planes of a view, after exchange.
-inline void view_values(const Composed& c, Looker& looker, const View& view, uint32_t slot, float* f)
-{
-    const Content content = c.tile->exchange ? looker.content(view, slot) : Content{};
-    if (content.share >= 1) return source_values(c, content.source, content.level, f);
-    source_values(c, view.base(), looker.level(), f);
-    if (!(content.share > 0)) return;
-    alignas(32) float shown[8 * most_groups];
-    source_values(c, content.source, content.level, shown);
-    blend_values(c, shown, content.share, f);
-}
-
-/// All planes at a place.
-inline void place_values(const Composed& c, Looker& looker, const Spot_place& at, float* f)
-{
-    if (!c.tile->wang) return view_values(c, looker, {at, at.x.texel, at.y.texel, 0}, 0, f);
-    View north, west;
-    const float share = looker.views(at, north, west);
-    if (share >= 1) return view_values(c, looker, north, 0, f);
-    view_values(c, looker, west, 1, f);
-    if (!(share > 0)) return;
-    alignas(32) float shown[8 * most_groups];
-    view_values(c, looker, north, 0, shown);
-    blend_values(c, shown, share, f);
+    const Pair f = value_of(view.base, groups, group);
+    return view.share > 0 ? lerp_pair(f, value_of(view.content, groups, group), view.share) : f;
 }
 
 void compose(const Composed& c, const Axis_places* places, uint32_t count, float level, uint32_t first, uint32_t planes,
              float* f, size_t pitch)
 {
     Looker looker(c, level);
-    alignas(32) float values[composed_together * 8 * most_groups];
-    const uint32_t width = 8 * c.groups;
+    Composition found[composed_together];
+    alignas(32) float values[composed_together * 8];
     for (uint32_t begin = 0; begin < count; begin += composed_together) {
         const uint32_t some = count - begin < composed_together ? count - begin : composed_together;
-        for (uint32_t i = 0; i < some; ++i)
-            place_values(c, looker,
-                         {{places[0].cell[begin + i], places[0].texel[begin + i], places[0].fraction[begin + i]},
-                          {places[1].cell[begin + i], places[1].texel[begin + i], places[1].fraction[begin + i]}},
-                         values + i * width);
-        for (uint32_t p = 0; p < planes; ++p)
-            for (uint32_t i = 0; i < some; ++i) f[p * pitch + begin + i] = values[i * width + first + p];
+        for (uint32_t i = 0, n = begin; i < some; ++i, ++n)
+            find_views(c, looker,
+                       {{places[0].cell[n], places[0].texel[n], places[0].fraction[n]},
+                        {places[1].cell[n], places[1].texel[n], places[1].fraction[n]}},
+                       found[i]);
+        for (uint32_t i = 0; i < some; ++i) {
+            exchange(c, looker, found[i].views[0], 0, found[i].exchanged[0]);
+            if (found[i].share > 0) exchange(c, looker, found[i].views[1], 1, found[i].exchanged[1]);
+        }
+        for (uint32_t g = first / 8; 8 * g < first + planes; ++g) {
+            for (uint32_t i = 0; i < some; ++i) {
+                Pair value = value_of(found[i].exchanged[0], c.groups, g);
+                if (found[i].share > 0)
+                    value = lerp_pair(value, value_of(found[i].exchanged[1], c.groups, g), found[i].share);
+                put(value, values + 8 * i);
+            }
+            const uint32_t from = g * 8 > first ? g * 8 : first,
+                           to = g * 8 + 8 < first + planes ? g * 8 + 8 : first + planes;
+            for (uint32_t p = from; p < to; ++p)
+                for (uint32_t i = 0; i < some; ++i) f[(p - first) * pitch + begin + i] = values[8 * i + p - 8 * g];
+        }
     }
 }

@@ -85,7 +85,7 @@ public:
     Content content(const View& view, uint32_t slot)
     {
         const weft_exchange& exchange = *tile_.exchange;
-        const uint32_t* map = exchange.map + size_t(view.map) * tile_.width * tile_.height;
+        const uint32_t* map = map_of(view.map);
         const float depth = depth_at(map, view.cell);
         if (!(depth > 0)) return {};
         const weft_place &x = view.cell.x, &y = view.cell.y;
@@ -120,8 +120,14 @@ private:
         return level_.t > 0 ? weft_lerp(numbers[0], numbers[step], level_.t) : numbers[0];
     }
 
+    const uint32_t* map_of(uint32_t view) const
+    {
+        return tile_.exchange->map + size_t(view) * tile_.width * tile_.height;
+    }
+
     View view(const Spot_place& at, uint32_t map) const
     {
+        if (tile_.exchange) __builtin_prefetch(map_of(map) + size_t(at.y.texel) * tile_.width + size_t(at.x.texel));
         const weft_diamond& diamond = tile_.wang->diamonds[map];
         return {at, weft_wang_texel(diamond.x, at.x.texel, tile_.source->width),
                 weft_wang_texel(diamond.y, at.y.texel, tile_.source->height), map};
