@@ -9,7 +9,7 @@
 namespace weft {
 namespace {
 
-constexpr std::uint32_t first_points = 1U << 12, most_points = 1U << 16;
+constexpr std::uint32_t first_points = 1U << 12, most_points = 1U << 14;
 constexpr std::uint32_t restarts = 8, first_rounds = 20, most_rounds = 100;
 
 Points points_of(Core& core, const Local_spectra& spectra, std::uint32_t most, std::uint64_t seed)

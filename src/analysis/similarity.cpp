@@ -1,4 +1,4 @@
-/// Distances of many pixels side by side, given up early where none can count.
+/// Distances of many pixels side by side, and their exponentials.
 #include "analysis/similarity.h"
 #include <algorithm>
 #include <cstring>
@@ -6,10 +6,10 @@
 namespace weft {
 namespace {
 
-constexpr std::uint32_t lanes = 16, numbers_at_once = 8;
-constexpr float farthest = 16; // of the exponent
+constexpr std::uint32_t lanes = 16;
+constexpr float farthest = 80; // of the exponent: more would leave float's range
 
-/// e^-x for 0 <= x <= 16, to float's last bits, with + - * alone: the same on every machine.
+/// e^-x for 0 <= x <= 80, to float's last bits, with + - * alone: the same on every machine.
 float exponential_of_minus(float x) noexcept
 {
     const float t = x * -1.44269504F;
@@ -27,23 +27,14 @@ inline void similarities_at(const float* a, const float* b, std::size_t stride, 
                             float share, float* to, std::uint32_t count) noexcept
 {
     float sum[lanes] = {};
-    for (std::uint32_t first = 0; first < size; first += numbers_at_once) {
-        const std::uint32_t last = std::min(first + numbers_at_once, size);
-        for (std::uint32_t i = first; i < last; ++i, a += stride, b += stride)
-            for (std::uint32_t lane = 0; lane < count; ++lane) {
-                const float difference = a[lane] - b[lane];
-                sum[lane] += difference * difference;
-            }
-        float least = sum[0];
-        for (std::uint32_t lane = 0; lane < count; ++lane) least = std::min(least, sum[lane]);
-        if (least * scale > farthest) {
-            std::fill_n(to, count, 0.0F);
-            return;
+    for (std::uint32_t i = 0; i < size; ++i, a += stride, b += stride)
+        for (std::uint32_t lane = 0; lane < count; ++lane) {
+            const float difference = a[lane] - b[lane];
+            sum[lane] += difference * difference;
         }
-    }
     for (std::uint32_t lane = 0; lane < count; ++lane) {
-        const float x = sum[lane] * scale, e = share * exponential_of_minus(std::min(x, farthest));
-        to[lane] = x > farthest ? 0 : e;
+        const float x = sum[lane] * scale;
+        to[lane] = share * exponential_of_minus(x < farthest ? x : farthest);
     }
 }
 
@@ -56,7 +47,7 @@ void similarities(const Local_spectra& spectra, std::uint32_t y, std::uint32_t o
     const std::int32_t begin = std::max(0, -dx), end = std::max(begin, std::min(width, width - dx));
     const float *a = spectra.row(y, 0), *b = spectra.row(other, 0);
     std::fill_n(to, std::min(begin, width), 0.0F);
-    std::fill(to + end, to + width, 0.0F);
+    std::fill(to + std::min(end, width), to + width, 0.0F);
     constexpr auto step = static_cast<std::int32_t>(lanes);
     if (end - begin < step)
         return similarities_at(a + begin, b + begin + dx, spectra.width, spectra.size, scale, share, to + begin,

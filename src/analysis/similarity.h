@@ -4,8 +4,7 @@
 
 namespace weft {
 
-/// to[x] <- share * exp(-scale * |S(x, y) - S(x + dx, other)|^2), or 0 where that exponent is below -16 or x + dx is
-/// outside.
+/// to[x] <- share * exp(-scale * |S(x, y) - S(x + dx, other)|^2), or 0 where x + dx is outside.
 void similarities(const Local_spectra& spectra, std::uint32_t y, std::uint32_t other, std::int32_t dx, float scale,
                   float share, float* to) noexcept;
 

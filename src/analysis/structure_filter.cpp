@@ -3,12 +3,21 @@
 #include "analysis/similarity.h"
 #include "analysis/spectra.h"
 #include <algorithm>
+#include <cstring>
 
 namespace weft {
 namespace {
 
 constexpr std::size_t most_weights = std::size_t{48} << 20; // kept at once, in numbers
 constexpr std::uint32_t most_together = 4;                  // planes filtered in one pass over the weights
+
+typedef float Quad __attribute__((vector_size(16)));
+inline Quad quad_at(const float* values) noexcept
+{
+    Quad quad;
+    std::memcpy(&quad, values, sizeof quad);
+    return quad;
+}
 
 /// Weights of the pixels in a strip of rows with those to the right and below, all rows and planes having a margin in
 /// which they are 0.
@@ -21,7 +30,8 @@ public:
     {
         const std::size_t room = most_weights / per_row_, least = 2 * static_cast<std::size_t>(reach_) + 16;
         strip_ = static_cast<std::uint32_t>(std::min<std::size_t>(std::max(room, least), guide.height));
-        weights_ = Array<float>(&core.memory, strip_ * per_row_);
+        weights_ = Array<float>(&core.memory, strip_ * per_row_, Array<float>::unset);
+        std::fill_n(weights_.data(), margin(), 0.0F);
     }
 
     std::size_t stride() const noexcept { return stride_; }
@@ -120,24 +130,37 @@ private:
         }
     }
 
-    /// The neighbours of row y in row `other`: those at dx for sign 1; for sign -1 those that have it at dx.
+    /// The neighbours of row y in row `other`: those at dx for sign 1; for sign -1 those that have it at dx. A few at a
+    /// time, so that no more streams of weights are read than a processor foresees.
     template <std::uint32_t count, std::int32_t sign>
     void add_offsets(const float* weights, std::uint32_t other, std::int32_t least, const float* const* from,
                      std::uint32_t y, float* const* to) const
     {
-        for (std::size_t x = margin(); x < stride_ - margin(); x += block) {
-            float sum[count][block];
-            for (std::uint32_t c = 0; c < count; ++c) std::copy_n(to[c] + y * stride_ + x, block, sum[c]);
-            const float* w = weights + (x - margin());
-            for (std::int32_t dx = least; dx <= reach_; ++dx, w += stride_) {
-                const std::ptrdiff_t shift = sign * dx;
-                const float* weight = sign > 0 ? w : w - dx;
+        constexpr std::int32_t streams = 6;
+        for (std::int32_t first = least; first <= reach_; first += streams) {
+            const std::int32_t last = std::min(first + streams - 1, reach_);
+            for (std::size_t x = 0; x < stride_ - 2 * margin(); x += block) {
+                const std::size_t at = y * stride_ + margin() + x, near = other * stride_ + margin() + x;
+                Quad left[count], right[count];
                 for (std::uint32_t c = 0; c < count; ++c) {
-                    const float* value = from[c] + other * stride_ + x + shift;
-                    for (std::uint32_t lane = 0; lane < block; ++lane) sum[c][lane] += weight[lane] * value[lane];
+                    left[c] = quad_at(to[c] + at);
+                    right[c] = quad_at(to[c] + at + 4);
+                }
+                const float* weight = weights + x + static_cast<std::size_t>(first - least) * stride_;
+                for (std::int32_t dx = first; dx <= last; ++dx, weight += stride_) {
+                    const float* shifted = weight + (sign > 0 ? 0 : -dx);
+                    const Quad a = quad_at(shifted), b = quad_at(shifted + 4);
+                    for (std::uint32_t c = 0; c < count; ++c) {
+                        const float* value = from[c] + near + sign * dx;
+                        left[c] += a * quad_at(value);
+                        right[c] += b * quad_at(value + 4);
+                    }
+                }
+                for (std::uint32_t c = 0; c < count; ++c) {
+                    std::memcpy(to[c] + at, &left[c], sizeof(Quad));
+                    std::memcpy(to[c] + at + 4, &right[c], sizeof(Quad));
                 }
             }
-            for (std::uint32_t c = 0; c < count; ++c) std::copy_n(sum[c], block, to[c] + y * stride_ + x);
         }
     }
 
