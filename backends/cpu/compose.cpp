@@ -47,21 +47,43 @@ bool copy_source(const weft_mips& source, Buffer<float>& data, Texels* texels)
     return true;
 }
 
+bool find_ranges(const weft_exchange& exchange, Buffer<Contour_range>& ranges)
+{
+    uint32_t count = 0;
+    for (uint32_t p = 0; p < exchange.patch_count; ++p) {
+        const uint32_t end = exchange.patches[p].first + exchange.patches[p].count;
+        count = end > count ? end : count;
+    }
+    if (!ranges.reserve(count)) return false;
+    for (uint32_t i = 0; i < count; ++i) {
+        Contour_range range = {UINT8_MAX, 0};
+        for (uint32_t k = 0; k < WEFT_CONTOUR; ++k) {
+            const uint8_t depth = exchange.contours[size_t(i) * WEFT_CONTOUR + k];
+            range.least = depth < range.least ? depth : range.least;
+            range.most = depth > range.most ? depth : range.most;
+        }
+        ranges.data()[i] = range;
+    }
+    return true;
+}
+
 } // namespace
 
-bool open_composed(const weft_layer& layer, const weft_program& program, bool copied, Buffer<float>& data,
+bool open_composed(const weft_layer& layer, const weft_program& program, bool copied, Composed_data& data,
                    Texels* texels, Composed& composed)
 {
     const weft_tile& tile = *layer.tile;
+    if (tile.exchange && !find_ranges(*tile.exchange, data.ranges)) return false;
     composed = {&tile,
                 layer.planes,
                 {program.period[0] != 0 ? tile.x.cells : 0, program.period[1] != 0 ? tile.y.cells : 0},
                 weft_key(program.seed, layer.stream, WEFT_TAG_NORTH),
                 weft_key(program.seed, layer.stream, WEFT_TAG_WEST),
                 weft_key(program.seed, layer.stream, WEFT_TAG_CONTENTS),
+                data.ranges.data(),
                 copied_planes(*tile.source) / 8,
                 texels};
-    return !copied || copy_source(*tile.source, data, texels);
+    return !copied || copy_source(*tile.source, data.texels, texels);
 }
 
 namespace {

@@ -9,9 +9,20 @@ namespace weft {
 /// Whether a layer asks for one of them.
 bool is_composed(const weft_tile& tile);
 
+/// What a composed TILE owns.
+struct Composed_data {
+    void use(const weft_host* host)
+    {
+        texels.use(host);
+        ranges.use(host);
+    }
+    Buffer<float> texels;
+    Buffer<Contour_range> ranges;
+};
+
 /// Fills `composed`. With `copied`, the source's levels are laid out in `data` as the kernels want them, and `texels`,
 /// of as many as there are, say where; false: no memory.
-bool open_composed(const weft_layer& layer, const weft_program& program, bool copied, Buffer<float>& data,
+bool open_composed(const weft_layer& layer, const weft_program& program, bool copied, Composed_data& data,
                    Texels* texels, Composed& composed);
 
 /// f of planes first..first + count - 1 at a position; `displacement` is null or two planes' values.

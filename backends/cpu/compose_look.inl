@@ -94,10 +94,7 @@ public:
         const uint32_t number = content_of(view.cell, entry, held_[slot]);
         const float dx = weft_from_anchor(x.texel, x.fraction, weft_map_left(entry), tile_.width, patch.x);
         const float dy = weft_from_anchor(y.texel, y.fraction, weft_map_above(entry), tile_.height, patch.y);
-        const weft_direction direction = weft_direction_of(dx, dy);
-        const uint8_t* contour = exchange.contours + size_t(number) * WEFT_CONTOUR;
-        const float shown = weft_lerp(float(contour[direction.first]), float(contour[direction.second]), direction.t);
-        const float share = weft_content_share(depth, shown, feather_);
+        const float share = share_of(number, depth, dx, dy);
         if (!(share > 0)) return {};
         const weft_content& content = exchange.contents[number];
         const float* turn = content.turn;
@@ -140,6 +137,19 @@ private:
         const uint32_t* lower = map + size_t(y.second) * tile_.width;
         return weft_depth(weft_map_depth(upper[x.first]), weft_map_depth(upper[x.second]),
                           weft_map_depth(lower[x.first]), weft_map_depth(lower[x.second]), x.t, y.t);
+    }
+
+    /// Share of a content. A contour is looked at only where it decides, with a margin that no rounding reaches.
+    float share_of(uint32_t content, float depth, float x, float y) const
+    {
+        constexpr float margin = 0x1p-10f;
+        const Contour_range range = c_.ranges[content];
+        if (weft_content_share(depth, float(range.least), feather_) <= -margin) return 0;
+        if (weft_content_share(depth, float(range.most), feather_) >= 1 + margin) return 1;
+        const uint8_t* contour = tile_.exchange->contours + size_t(content) * WEFT_CONTOUR;
+        const weft_direction direction = weft_direction_of(x, y);
+        const float shown = weft_lerp(float(contour[direction.first]), float(contour[direction.second]), direction.t);
+        return weft_content_share(depth, shown, feather_);
     }
 
     /// Number of the content that a patch shows, which began in this cell or in one before.

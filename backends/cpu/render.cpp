@@ -100,6 +100,7 @@ private:
     void evaluate(uint32_t index, uint32_t first, uint32_t count);
     const float* plane_of(const weft_ref& ref, uint32_t count) const;
     const float* mask(uint32_t index, uint32_t count);
+    bool shows(const float* mask, uint32_t count) const;
     void mix(const Layer& layer, const float* f, const float* mask, uint32_t first, uint32_t count);
 
     const weft_backend_texture& texture_;
@@ -155,7 +156,8 @@ void Painter::evaluate(uint32_t index, uint32_t first, uint32_t count)
     const Layer& layer = texture_.layers[index];
     const weft_layer& source = *layer.source;
     Work& work = work_.data()[index];
-    const Strip strip = {work.f.data(), block_.width, first, count, stride_, scratch_.data()};
+    const float* mask = layer.referred ? nullptr : work.m;
+    const Strip strip = {work.f.data(), block_.width, first, count, stride_, scratch_.data(), mask};
     if (layer.composed)
         work.composed.strip(strip, plane_of(source.tile->displacement, count));
     else if (source.kind == WEFT_LAYER_TILE)
@@ -192,6 +194,15 @@ const float* Painter::mask(uint32_t index, uint32_t count)
     return work_.data()[index].m;
 }
 
+/// Is M anything but 0 in a strip of `count` rows?
+bool Painter::shows(const float* mask, uint32_t count) const
+{
+    bool any = false;
+    for (uint32_t y = 0; y < count && !any; ++y)
+        for (uint32_t x = 0; x < block_.width; ++x) any |= mask[size_t(y) * stride_ + x] != 0;
+    return any;
+}
+
 void Painter::mix(const Layer& layer, const float* f, const float* mask, uint32_t first, uint32_t count)
 {
     const weft_layer& source = *layer.source;
@@ -211,8 +222,9 @@ void Painter::strip(uint32_t first, uint32_t count)
     fresh_ = true;
     for (uint32_t i = 0; i < layers(); ++i) {
         const Layer& layer = texture_.layers[i];
-        evaluate(i, first, count);
         const float* m = layer.masked ? mask(i, count) : nullptr;
+        if (m && !layer.referred && !shows(m, count)) continue; // it would add zeros
+        evaluate(i, first, count);
         if (layer.source->channels == 0) continue; // only referred to
         mix(layer, work_.data()[i].f.data(), m, first, count);
         fresh_ = false;

@@ -46,12 +46,18 @@ struct Bands {
     const Lattice* lattices; ///< band b of plane p is lattices[b * planes + p]
 };
 
+/// The least and the greatest depth of a content's contour.
+struct Contour_range {
+    uint8_t least, most;
+};
+
 /// A TILE layer that is more than a picture that repeats, ready to be evaluated.
 struct Composed {
     const weft_tile* tile;
     uint32_t planes;
     uint32_t cells[2];              ///< to a period; 0: endless
     uint64_t north, west, contents; ///< keys
+    const Contour_range* ranges;    ///< of contents
     uint32_t groups;                ///< of eight planes
     const Texels* texels;           ///< levels; only for kernels that want copies
 };
@@ -106,8 +112,9 @@ struct Block {
 struct Strip {
     float* data;
     uint32_t width, first, count;
-    uint32_t stride; ///< of rows; planes are stride * count apart
-    void* scratch;   ///< Rows::scratch bytes, 64-byte aligned
+    uint32_t stride;   ///< of rows; planes are stride * count apart
+    void* scratch;     ///< Rows::scratch bytes, 64-byte aligned
+    const float* mask; ///< null: none; where it is 0, f may be any finite number
 };
 
 /// Columns begin..end - 1 read the texels `first` on, in steps of one; scattered ones read where the pairs say.

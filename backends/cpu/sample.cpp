@@ -62,7 +62,10 @@ void tile(const Rows& rows, const Layer& layer, const weft_spot& spot, const Val
         tile_point(layer.tile, spot.cell, spot.fraction, spot.level, 0, planes, f);
 }
 
-/// f of one layer at all spots of a group.
+/// Does a layer add nothing but zeros?
+bool hidden(const Layer& layer, float mask) { return !layer.referred && mask == 0; }
+
+/// f of one layer at all spots of a group where it is not hidden.
 void evaluate(const weft_backend_texture& texture, uint32_t index, Group& group)
 {
     const Layer& layer = texture.layers[index];
@@ -73,6 +76,7 @@ void evaluate(const weft_backend_texture& texture, uint32_t index, Group& group)
     for (uint32_t i = 0; i < group.count; ++i) {
         const weft_spot& spot = group.spots[i];
         float* f = group.values[i].f[index];
+        if (hidden(layer, group.values[i].mask[index])) continue;
         if (layer.source->kind == WEFT_LAYER_SPLAT)
             splat(rows, layer, spot, group.frames ? group.frames + 9 * size_t(i) : nullptr, f);
         else if (layer.source->kind == WEFT_LAYER_TILE)
@@ -89,11 +93,14 @@ void sample(const weft_backend_texture& texture, Group& group, float* out)
     for (uint32_t index = 0; index < program.layer_count; ++index) {
         const Layer& layer = texture.layers[index];
         const weft_ref ref = layer.source->mask;
-        evaluate(texture, index, group);
         for (uint32_t i = 0; i < group.count; ++i) {
             Values& values = group.values[i];
             values.mask[index] = layer.masked ? values.f[ref.layer][ref.plane] * values.mask[ref.layer] : 1.0f;
-            if (layer.source->channels == 0) continue; // only referred to
+        }
+        evaluate(texture, index, group);
+        for (uint32_t i = 0; i < group.count; ++i) {
+            Values& values = group.values[i];
+            if (hidden(layer, values.mask[index]) || layer.source->channels == 0) continue; // only referred to
             mix(*layer.source, program.channels, values.f[index], values.mask[index], out + i * program.channels);
         }
     }

@@ -200,7 +200,7 @@ bool open_tile(weft_backend_texture& texture, Layer& layer)
     const weft_tile& tile = *layer.source->tile;
     layer.tile = {&tile, layer.source->planes, {program.period[0], program.period[1]}, {}};
     layer.composed = is_composed(tile);
-    return !layer.composed || open_composed(*layer.source, program, texture.rows->interleaved != 0, layer.data,
+    return !layer.composed || open_composed(*layer.source, program, texture.rows->interleaved != 0, layer.composed_data,
                                             layer.texels, layer.tile.composed);
 }
 
@@ -211,6 +211,8 @@ bool open_layer(weft_backend_texture& texture, uint32_t index)
     const weft_ref mask = layer.source->mask;
     layer.masked = mask.layer >= 0;
     if (layer.masked) texture.layers[mask.layer].referred = true;
+    const int32_t moved = layer.source->tile ? layer.source->tile->displacement.layer : -1;
+    if (moved >= 0) texture.layers[moved].referred = true;
     if (layer.source->kind == WEFT_LAYER_SPLAT) return open_splat(texture, layer);
     if (layer.source->kind == WEFT_LAYER_BANDS)
         return open_bands(*layer.source, program.use, texture.rows->interleaved != 0, layer.lattices, layer.data,
@@ -253,6 +255,7 @@ weft_status texture_open(weft_backend_device* device, const weft_program* progra
         made->layers[i].source = program->layers[i];
         made->layers[i].data.use(host);
         made->layers[i].lattices.use(host);
+        made->layers[i].composed_data.use(host);
         if (open_layer(*made, i)) continue;
         texture_close(made);
         return WEFT_ERROR_MEMORY;

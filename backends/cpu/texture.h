@@ -36,6 +36,7 @@ struct Layer {
     Texels texels[most_levels];
     Buffer<Lattice> lattices;
     Buffer<float> data; ///< what `texels` or `lattices` point into, if the kernels want copies
+    Composed_data composed_data;
     float impacts_per_pixel;
     bool composed;         ///< a TILE, and is_composed
     bool masked, referred; ///< has a mask; is referred to by a later layer
