@@ -169,6 +169,75 @@ static void mean_and_covariance_of_steps(void **state)
 }
 
 /* A map of all steps and of what is between and beyond them; windows and points, near and far, with and without a period. */
+/* Points with footprints of all sizes, between the levels. */
+static void fill_points(weft_point *points, uint32_t count, int64_t x, int64_t y, uint64_t seed)
+{
+    Random random = {seed};
+    for (uint32_t i = 0; i < count; ++i) {
+        const double size = random_unit(&random) * (i % 4 ? 4 : 60);
+        const weft_point point = {(double)x + 90 * random_unit(&random),
+                                  (double)y + 90 * random_unit(&random),
+                                  {(float)(size * random_unit(&random)), (float)(size * random_unit(&random))},
+                                  {(float)(-size * random_unit(&random)), (float)(size * random_unit(&random))}};
+        points[i] = point;
+    }
+}
+
+static void devices_agree_on(const char *name, weft_texture *texture, int64_t x, int64_t y, weft_texture *expected)
+{
+    enum { COUNT = 120 };
+    weft_point points[COUNT];
+    float out[2][COUNT * CHANNELS];
+    for (uint32_t level = 0; level < 6; ++level) {
+        weft_image image = rendered(texture, x >> level, y >> level, level, 71, 17, CHANNELS);
+        weft_image scalar = rendered(expected, x >> level, y >> level, level, 71, 17, CHANNELS);
+        assert_same_pixels(&image, &scalar, name);
+        free_image(&image);
+        free_image(&scalar);
+    }
+    fill_points(points, COUNT, x, y, 4);
+    assert_ok(weft_texture_sample(texture, COUNT, points, out[0]));
+    assert_ok(weft_texture_sample(expected, COUNT, points, out[1]));
+    assert_memory_equal(out[0], out[1], sizeof out[0]);
+}
+
+/* Also of other orders of interpolation, and filtered. */
+static void devices_agree_when_filtered(void **state)
+{
+    (void)state;
+    const weft_interpolation orders[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST, WEFT_INTERPOLATION_CUBIC,
+                                         WEFT_INTERPOLATION_QUINTIC};
+    char names[MOST_DEVICES][64];
+    const uint32_t count = usable_devices(names, 1);
+    weft_image map = new_image(5, 6, 1, WEFT_FORMAT_F32);
+    for (int i = 0; i < 30; ++i) values(&map)[i] = (float)(i * 7 % 30) / 29;
+    for (int i = 0; i < 4; ++i) {
+        weft_model *models[3] = {new_texton(context, 16, CHANNELS, 11, orders[i], 1),
+                                 new_texton(context, 16, CHANNELS, 11, orders[i], 2), NULL};
+        assert_ok(weft_model_mix(context, models[0], models[1], 0, 3, &models[2]));
+        weft_texture_options options = WEFT_TEXTURE_OPTIONS_INIT;
+        options.mix = &map;
+        options.mix_scale = 5;
+        options.seed = (uint64_t)i;
+        options.impacts = 9;
+        options.period_x = i % 2 ? 200 : 0;
+        weft_texture *expected = NULL;
+        const int64_t far = i < 2 ? -(INT64_C(1) << 40) : 0;
+        for (uint32_t d = 0; d < count; ++d) {
+            weft_context *there = new_context(names[d], 1 + d % 3);
+            weft_texture *texture = NULL;
+            assert_ok(weft_texture_create(there, models[2], &options, &texture));
+            if (d == 0) assert_ok(weft_texture_create(context, models[2], &options, &expected));
+            devices_agree_on(names[d], texture, far - 5, 9 - far, expected);
+            weft_texture_free(texture);
+            weft_context_free(there);
+        }
+        weft_texture_free(expected);
+        for (int k = 0; k < 3; ++k) weft_model_free(models[k]);
+    }
+    free_image(&map);
+}
+
 static void devices_agree(void **state)
 {
     (void)state;
@@ -314,7 +383,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_are_parts), cmocka_unit_test(ends_are_the_models), cmocka_unit_test(mean_and_covariance_of_steps),
-        cmocka_unit_test(devices_agree),   cmocka_unit_test(wrong_mixes),         cmocka_unit_test(wrong_maps),
+        cmocka_unit_test(devices_agree), cmocka_unit_test(devices_agree_when_filtered),   cmocka_unit_test(wrong_mixes),         cmocka_unit_test(wrong_maps),
         cmocka_unit_test(wavelets_morph),
     };
     return cmocka_run_group_tests(tests, begin, end);

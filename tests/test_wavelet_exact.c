@@ -145,6 +145,32 @@ static void windows_and_points(void **state)
     }
 }
 
+/* Larger than what any device makes at once, with one thread and with several. */
+static void large_windows(void **state)
+{
+    (void)state;
+    const uint32_t width = scaled(1100, 530), height = scaled(131, 127);
+    for (uint32_t i = 0; i < 3; ++i) {
+        const weft_wavelet wavelet = random_wavelet(1 + i, 9 - 4 * i, i * 9, i);
+        Case c = open_case(new_wavelet(contexts[0], &wavelet), i, 0, i == 2 ? 74 : 0);
+        const int64_t x = i == 1 ? -(INT64_C(1) << 40) - 77 : -301, y = i == 1 ? (INT64_C(1) << 40) + 1 : -64;
+        weft_image expected = rendered(c.textures[0], x, y, i, width, height, c.channels);
+        for (uint32_t d = 0; d < device_count; ++d)
+            for (uint32_t threads = 1; threads <= 5; threads += 2) {
+                weft_context *there = new_context(devices[d], threads);
+                weft_texture *texture = NULL;
+                assert_ok(weft_texture_create(there, c.model, &c.options, &texture));
+                weft_image image = rendered(texture, x, y, i, width, height, c.channels);
+                assert_same_pixels(&image, &expected, devices[d]);
+                free_image(&image);
+                weft_texture_free(texture);
+                weft_context_free(there);
+            }
+        free_image(&expected);
+        close_case(&c);
+    }
+}
+
 static void overlapping_windows_agree(void **state)
 {
     (void)state;
@@ -238,7 +264,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(windows_and_points), cmocka_unit_test(overlapping_windows_agree),
         cmocka_unit_test(periods_wrap),       cmocka_unit_test(seeds_matter),
-        cmocka_unit_test(solid_points),
+        cmocka_unit_test(solid_points),       cmocka_unit_test(large_windows),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

@@ -7,7 +7,8 @@
 
 namespace weft::opencl {
 
-extern const char program_source[]; // made by embed.cmake
+extern const unsigned program_parts; // made by embed.cmake
+extern const char* program_source[]; // not constant, since clCreateProgramWithSource could change it
 
 namespace {
 
@@ -64,8 +65,7 @@ void compile(Device& device, bool correctly_rounded)
     cl_int code = CL_SUCCESS;
     device.context = clCreateContext(nullptr, 1, &device.id, nullptr, nullptr, &code);
     check(code, "clCreateContext");
-    const char* text = program_source;
-    device.program = clCreateProgramWithSource(device.context, 1, &text, nullptr, &code);
+    device.program = clCreateProgramWithSource(device.context, program_parts, program_source, nullptr, &code);
     check(code, "clCreateProgramWithSource");
     // No definitions: caches of compiled programs need not see them. No licence to change the arithmetic either.
     // -w: some compilers print that functions are not used.

@@ -38,12 +38,14 @@ struct Impacts::Cells {
     const LayerLayout& layer;
     const LevelLayout& level;
     const weft_u32* counts;
+    const Choice& choice;
     const weft_window& window;
+    weft_i64 centre_x, centre_y; ///< of the window's first pixel
     Walk x, y;
     weft_u64 key;
 };
 
-void Impacts::collect(const LayerLayout& layer, const LevelLayout& level, const weft_u32* counts,
+void Impacts::collect(const LayerLayout& layer, const LevelLayout& level, const weft_u32* counts, const Choice& choice,
                       const weft_window& window)
 {
     const weft_i64 unit = weft_i64{1} << window.level;
@@ -51,7 +53,7 @@ void Impacts::collect(const LayerLayout& layer, const LevelLayout& level, const 
     // More columns: the accumulator of tap i of a pixel is that of its i-th neighbour.
     const weft_i64 end_x = level.after_x + (window.width + layer.taps - 2) * unit;
     const weft_i64 end_y = level.after_y + (window.height - 1) * unit;
-    Cells cells{layer, level, counts, window, {}, {}, 0};
+    Cells cells{layer, level, counts, choice, window, x, y, {}, {}, 0};
     reaching_.clear();
     for (cells.x = walk_from(x, level.before_x, layer.period_x, layer.cell_log2); cells.x.start <= end_x;
          cells.x = walk_on(cells.x, layer.period_x, layer.cell_log2)) {
@@ -89,6 +91,8 @@ void Impacts::draw(const Cells& cells)
         Reaching& impact = reaching_.emplace_back();
         impact.column = column;
         impact.row = row;
+        impact.image =
+            cells.choice.image(cells.centre_x + cells.x.start + x.pixel, cells.centre_y + cells.y.start + y.pixel);
         set_weights(impact.weights, tx, ty, weft_impact_sign(z, cells.layer.signs), taps);
     }
 }
@@ -113,7 +117,8 @@ void Impacts::deal(const LayerLayout& layer, const LevelLayout& level, std::uint
             weft_u32* entry = list_.data() + bands_[static_cast<std::size_t>(band) + 1]++ * words;
             const auto row = impact.row + band * rows + static_cast<weft_i32>(level.frame_y);
             entry[0] = static_cast<weft_u32>(impact.column);
-            entry[1] = static_cast<weft_u32>(row * stride + static_cast<weft_i32>(level.frame_x));
+            entry[1] = static_cast<weft_u32>(row * stride + static_cast<weft_i32>(level.frame_x)) +
+                       impact.image * level.image_step;
             std::memcpy(entry + 2, impact.weights, (words - 2) * sizeof(float));
         }
     }

@@ -1,5 +1,6 @@
 /// The impacts that reach a window, band by band, for splat_bands.
 #pragma once
+#include "opencl/choice.h"
 #include "opencl/layout.h"
 #include <memory_resource>
 #include <vector>
@@ -12,7 +13,8 @@ public:
     explicit Impacts(std::pmr::memory_resource* memory) : reaching_(memory), list_(memory), bands_(memory) {}
 
     /// `counts` are the layer's thresholds, `level` is that of the window.
-    void collect(const LayerLayout& layer, const LevelLayout& level, const weft_u32* counts, const weft_window& window);
+    void collect(const LayerLayout& layer, const LevelLayout& level, const weft_u32* counts, const Choice& choice,
+                 const weft_window& window);
 
     /// WEFT_IMPACT_WORDS for each impact of each band.
     const std::pmr::vector<weft_u32>& list() const noexcept { return list_; }
@@ -25,6 +27,7 @@ private:
     static constexpr weft_u32 most_weights = WEFT_IMPACT_WORDS(6) - 2;
     struct Reaching {
         weft_i32 column, row; ///< texels under the window's first pixel
+        weft_u32 image;
         float weights[most_weights];
     };
     struct Cells;

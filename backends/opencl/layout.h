@@ -12,8 +12,8 @@
 #define WEFT_BLOCK_COLUMNS 8
 #define WEFT_BLOCK_ROWS(taps) ((taps) == 1 ? 8 : (taps) == 2 ? 4 : (taps) == 4 ? 2 : 1)
 
-/* Words of an impact in a band's list: the texel column under the window's first pixel; where the framed row of texels
- * under the band's first row begins; then floats: of two taps w0, w1, rho, else x's weights times the sign, y's
+/* Words of an impact in a band's list: the texel column under the window's first pixel; where the framed row of its image's
+ * texels under the band's first row begins; then floats: of two taps w0, w1, rho, else x's weights times the sign, y's
  * weights. */
 #define WEFT_IMPACT_WORDS(taps) ((taps) == 2 ? 5 : 2 + 2 * (taps))
 
@@ -23,11 +23,21 @@
 #define WEFT_SPLAT_GATHER 1 /* sample by sample */
 #define WEFT_SPLAT_BANDS 2  /* windows only: block by block, from lists of impacts that the host made */
 #define WEFT_TILE_GATHER 3
+#define WEFT_SURFACE_GATHER 4
+#define WEFT_LATTICE_GATHER 5  /* sample by sample, in the plane */
+#define WEFT_LATTICE_SOLID 6   /* sample by sample, in space */
+#define WEFT_LATTICE_PYRAMID 7 /* windows only: tile by tile */
+
+/* A tile of lattice_pyramid, in pixels: what it computes stays in the first cache. */
+#define WEFT_TILE_COLUMNS 128
+#define WEFT_TILE_ROWS 30
+#define WEFT_MOST_BANDS 24
 
 /* One level of a mip chain. Gathered texels are float4: (image, group of four planes, row, column), framed by taps - 1
  * zeros if splatted; those of splat_bands are float: (plane, row, column), with a block's width of zeros between rows
  * and what a block and its taps may reach above and below. */
 typedef struct LevelLayout {
+    weft_i64 reach;      /* SURFACE: impacts this many pixels away on any axis reach a sample */
     weft_u32 offset;     /* of the first texel in the texels' buffer, in units of 4 floats */
     weft_u32 stride;     /* texels from one row to the next */
     weft_u32 plane_step; /* from one group (bands: plane) to the next */
@@ -40,6 +50,18 @@ typedef struct LevelLayout {
     float scale_x, scale_y; /* TILE */
 } LevelLayout;
 
+/* The lattice of one band and plane of BANDS: floats, framed behind by the first coefficients again, as many as are
+ * read at once. */
+typedef struct LatticeLayout {
+    weft_u64 slice;   /* coefficients from one slice to the next */
+    weft_u32 offset;  /* of the first coefficient in the texels' buffer, in units of 4 floats */
+    weft_u32 present; /* 0: none */
+    weft_u32 row;     /* from one row to the next */
+    weft_u32 width, height, depth;
+    weft_u32 x, y, z; /* shifts, below the sizes */
+    float weight;
+} LatticeLayout;
+
 /* One axis of a TILE. */
 typedef struct GridLayout {
     weft_u32 span, cells, size;
@@ -50,9 +72,9 @@ typedef struct LayerLayout {
     weft_u64 key;  /* SPLAT: weft_key(seed, stream, WEFT_TAG_IMPACTS) */
     weft_u32 form; /* WEFT_SPLAT_GATHER, ... */
     weft_u32 planes, channels;
-    weft_u32 colours; /* channels of the program */
-    weft_u32 first_level, levels;
-    weft_u32 period_x, period_y;
+    weft_u32 colours;             /* channels of the program */
+    weft_u32 first_level, levels; /* BANDS: first lattice, which has `planes` for each band; bands */
+    weft_u32 period_x, period_y, period_z;
     weft_u32 taps, cell_log2, count_limit, signs, images;
     weft_u32 counts;                      /* where in words */
     weft_u32 offset;                      /* where in numbers, four by four */
@@ -73,7 +95,7 @@ typedef struct LayerLayout {
 typedef struct SamplesLayout {
     weft_i64 x, y;
     weft_u32 level;
-    weft_u32 spots; /* 1: of the buffer of spots */
+    weft_u32 spots; /* 1: of the buffer of spots, with frames on surfaces */
     weft_u32 width; /* samples of a row, of which there are height */
     weft_u32 height;
     weft_u32 stride; /* of the field, a multiple of WEFT_SAMPLES */

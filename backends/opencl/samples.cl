@@ -3,8 +3,8 @@
 #pragma OPENCL FP_CONTRACT OFF
 
 typedef struct Position {
-    weft_i64 x, y;
-    weft_i32 fraction_x, fraction_y;
+    weft_i64 x, y, z;
+    weft_i32 fraction_x, fraction_y, fraction_z;
     float level;
 } Position;
 
@@ -16,7 +16,9 @@ static Position window_position(SamplesLayout samples, weft_u32 column, weft_u32
     Position at;
     at.x = (samples.x + column) * unit + half_unit;
     at.y = (samples.y + row) * unit + half_unit;
+    at.z = 0;
     at.fraction_x = at.fraction_y = samples.level == 0 ? WEFT_FRACTION_HALF : 0;
+    at.fraction_z = 0;
     at.level = (float)samples.level;
     return at;
 }
@@ -27,8 +29,10 @@ static Position position_of(SamplesLayout samples, global const SpotLayout* spot
         Position at;
         at.x = spots[column].cell[0];
         at.y = spots[column].cell[1];
+        at.z = spots[column].cell[2];
         at.fraction_x = (weft_i32)spots[column].fraction[0];
         at.fraction_y = (weft_i32)spots[column].fraction[1];
+        at.fraction_z = (weft_i32)spots[column].fraction[2];
         at.level = spots[column].level;
         return at;
     }

@@ -1,4 +1,4 @@
-/// The fixed program, as windows and as spots, against stored values.
+/// The fixed programs, as windows and as spots, against stored values.
 #include "opencl/self_test.h"
 #include "opencl/self_test_program.h"
 #include "opencl/texture.h"
@@ -22,15 +22,14 @@ float largest_difference(const Device& device)
     float* end = values;
     // Small and the same for everyone: not a caller's memory, since no caller asked.
     std::pmr::memory_resource* memory = std::pmr::new_delete_resource();
-    {
-        const SelfTestProgram fixed(WEFT_USE_WINDOW);
+    for (const weft_use use : SelfTestProgram::uses) {
+        const SelfTestProgram fixed(use);
         Texture texture(device, fixed.program, memory);
-        SelfTestProgram::look([&](const weft_window& window) { texture.render(window); }, end);
-    }
-    {
-        const SelfTestProgram fixed(WEFT_USE_POINTS);
-        Texture texture(device, fixed.program, memory);
-        SelfTestProgram::look_at_spots([&](const weft_batch& batch) { texture.sample(batch); }, end);
+        if (use == WEFT_USE_WINDOW)
+            SelfTestProgram::look([&](const weft_window& window) { texture.render(window); }, end);
+        else
+            SelfTestProgram::look_at_spots(
+                use, [&](const weft_batch& batch) { texture.sample(batch); }, end);
     }
     float largest = 0.0f;
     for (std::size_t i = 0; i < SelfTestProgram::value_count; ++i) {

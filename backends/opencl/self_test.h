@@ -4,7 +4,7 @@
 
 namespace weft::opencl {
 
-/// Largest difference between the fixed program on this device and its stored values; 0 only if all bits agree.
+/// Largest difference between the fixed programs on this device and their stored values; 0 only if all bits agree.
 float largest_difference(const Device& device);
 
 } // namespace weft::opencl

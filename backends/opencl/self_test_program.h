@@ -1,4 +1,5 @@
-/// The small fixed program of the self-test, and where it is looked at. Every kernel has a part in it.
+/// The small fixed programs of the self-test, one for each use, and where they are looked at. Every kernel has a part
+/// in them.
 #pragma once
 #include "common/field.h"
 #include <cstddef>
@@ -11,7 +12,9 @@ namespace weft::opencl {
 class SelfTestProgram {
 public:
     static constexpr std::uint32_t channels = 2, width = 20, height = 7, stride = 32, windows = 3, spot_count = 24;
-    static constexpr std::size_t value_count = std::size_t{channels} * (windows * width * height + spot_count);
+    static constexpr std::size_t value_count = std::size_t{channels} * (windows * width * height + 3 * spot_count);
+
+    static constexpr weft_use uses[] = {WEFT_USE_WINDOW, WEFT_USE_POINTS, WEFT_USE_SURFACE, WEFT_USE_SOLID};
 
     explicit SelfTestProgram(weft_use use);
     SelfTestProgram(const SelfTestProgram&) = delete;
@@ -41,8 +44,10 @@ public:
     }
 
     /// Calls sample(batch), whose results are written where `values` points.
-    template <class Sample> static void look_at_spots(Sample sample, float*& values)
+    template <class Sample> static void look_at_spots(weft_use use, Sample sample, float*& values)
     {
+        static constexpr float frame[9] = {0.8f, 0.0f, 0.6f, 0.36f, 0.8f, -0.48f, -0.48f, 0.6f, 0.64f};
+        float frames[spot_count * 9];
         weft_spot spots[spot_count] = {};
         for (std::uint32_t i = 0; i < spot_count; ++i) {
             const weft_u64 z = weft_mix(i + 1);
@@ -51,11 +56,16 @@ public:
             spots[i].fraction[0] = static_cast<std::uint32_t>(z >> 40);
             spots[i].fraction[1] = static_cast<std::uint32_t>(z >> 16 & WEFT_FRACTION_MASK);
             spots[i].level = static_cast<float>(i % 5) * 0.375f;
+            for (std::uint32_t k = 0; k < 9; ++k) frames[i * 9 + k] = frame[k];
+            if (use == WEFT_USE_POINTS) continue;
+            spots[i].cell[2] = static_cast<std::int64_t>(z >> 32 & 0xff) - 128;
+            spots[i].fraction[2] = static_cast<std::uint32_t>(z >> 8 & WEFT_FRACTION_MASK);
         }
         weft_batch batch = {};
         batch.size = sizeof batch;
         batch.count = spot_count;
         batch.spots = spots;
+        batch.frames = use == WEFT_USE_SURFACE ? frames : nullptr;
         batch.out = values;
         sample(batch);
         values += spot_count * channels;
@@ -66,6 +76,10 @@ private:
         weft_mip levels[2];
         weft_mips mips;
     };
+    static constexpr std::uint32_t band_count = 3;
+
+    void fill_bands(weft_use use);
+    void add(const weft_layer& layer);
     void fill(Pictures& pictures, std::uint32_t planes, std::uint32_t images, std::uint32_t size_x,
               std::uint32_t size_y);
     weft_splat splat(const Pictures& textons, std::uint32_t taps) const;
@@ -82,8 +96,10 @@ private:
     Pictures source_, two_, four_;
     weft_tile tile_ = {};
     weft_splat splats_[2];
-    weft_layer layers_[3];
-    const weft_layer* order_[3];
+    weft_band table_[2 * band_count];
+    weft_bands bands_ = {sizeof(weft_bands), band_count, table_};
+    weft_layer layers_[4];
+    const weft_layer* order_[4];
 };
 
 } // namespace weft::opencl

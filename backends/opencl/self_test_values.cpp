@@ -1,4 +1,4 @@
-/// Prints self_test_values.inc: the fixed program's values as any exact backend plug-in gives them.
+/// Prints self_test_values.inc: the fixed programs' values as any exact backend plug-in gives them.
 ///   weft_opencl_values .../weft_backend_simd.so >self_test_values.inc
 #include "opencl/self_test_program.h"
 #include <charconv>
@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <dlfcn.h>
-#include <initializer_list>
 
 namespace {
 
@@ -46,7 +45,7 @@ int main(int count, char** arguments)
     static float values[SelfTestProgram::value_count];
     float* end = values;
     weft_status status = WEFT_OK;
-    for (const weft_use use : {WEFT_USE_WINDOW, WEFT_USE_POINTS}) {
+    for (const weft_use use : SelfTestProgram::uses) {
         const SelfTestProgram fixed(use);
         weft_backend_texture* texture = nullptr;
         if (backend->texture_open(device, &fixed.program, &texture) != WEFT_OK) return 1;
@@ -56,7 +55,7 @@ int main(int count, char** arguments)
                                   end);
         else
             SelfTestProgram::look_at_spots(
-                [&](const weft_batch& batch) { keep(backend->texture_sample(texture, &batch)); }, end);
+                use, [&](const weft_batch& batch) { keep(backend->texture_sample(texture, &batch)); }, end);
         backend->texture_close(texture);
     }
     backend->device_close(device);

@@ -2,13 +2,27 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
+/* A plane's tone curve, at 16 samples: of all pieces the last one that begins at or below each. */
 static float16 tone16(float16 v, global const weft_u32* words, global const float* numbers, weft_u32 tones,
                       weft_u32 channel)
 {
-    float lane[WEFT_SAMPLES];
-    vstore16(v, 0, lane);
-    for (weft_u32 i = 0; i < WEFT_SAMPLES; ++i) lane[i] = tone(lane[i], words, numbers, tones, channel);
-    return vload16(0, lane);
+    const weft_u32 count = words[tones + channel * 2];
+    global const float* curve = numbers + words[tones + channel * 2 + 1];
+    global const float* piece = curve + 2;
+    v = select(v, (float16)curve[0], v < curve[0]);
+    v = select(v, (float16)curve[1], v > curve[1]);
+    float16 x = piece[0], c0 = piece[1], c1 = piece[2], c2 = piece[3], c3 = piece[4];
+    for (weft_u32 k = 1; k < count; ++k) {
+        piece += 5;
+        const int16 reached = v >= piece[0];
+        x = select(x, (float16)piece[0], reached);
+        c0 = select(c0, (float16)piece[1], reached);
+        c1 = select(c1, (float16)piece[2], reached);
+        c2 = select(c2, (float16)piece[3], reached);
+        c3 = select(c3, (float16)piece[4], reached);
+    }
+    const float16 d = v - x;
+    return ((c3 * d + c2) * d + c1) * d + c0; /* weft_piece_at */
 }
 
 /* The layer's mask, that of the layer that owns the plane included. */

@@ -7,21 +7,36 @@ namespace weft::opencl {
 
 namespace {
 
-bool known(const weft_layer& layer)
+bool known_splat(const weft_splat& splat)
 {
+    return splat.taps == 1 || splat.taps == 2 || splat.taps == 4 || splat.taps == 6;
+}
+
+bool known_in_plane(const weft_layer& layer, const weft_program& program)
+{
+    if (layer.kind == WEFT_LAYER_BANDS) return true;
     if (layer.kind == WEFT_LAYER_SPLAT) {
-        const std::uint32_t taps = layer.splat->taps;
-        return taps == 1 || taps == 2 || taps == 4 || taps == 6;
+        const weft_ref choice = layer.splat->choice;
+        return known_splat(*layer.splat) && (choice.layer < 0 || program.layers[choice.layer]->kind == WEFT_LAYER_TILE);
     }
     return layer.kind == WEFT_LAYER_TILE && layer.tile->address == WEFT_ADDRESS_CELLS && !layer.tile->exchange &&
            layer.tile->displacement.layer < 0;
 }
 
+/// In space there are no pictures: only impacts on surfaces and only bands in solids.
+bool known(const weft_layer& layer, const weft_program& program)
+{
+    if (program.use == WEFT_USE_SOLID) return layer.kind == WEFT_LAYER_BANDS;
+    if (program.use == WEFT_USE_SURFACE)
+        return layer.kind == WEFT_LAYER_SPLAT && known_splat(*layer.splat) && layer.splat->choice.layer < 0 &&
+               layer.mask.layer < 0;
+    return known_in_plane(layer, program);
+}
+
 bool known(const weft_program& program)
 {
-    if (program.use != WEFT_USE_WINDOW && program.use != WEFT_USE_POINTS) return false;
     return std::all_of(program.layers, program.layers + program.layer_count,
-                       [](const weft_layer* layer) { return known(*layer); });
+                       [&](const weft_layer* layer) { return known(*layer, program); });
 }
 
 weft_u32 layer_of(weft_ref ref) { return ref.layer < 0 ? WEFT_NONE : static_cast<weft_u32>(ref.layer); }
@@ -37,37 +52,68 @@ void set_reach(std::uint32_t taps, std::uint32_t whole, std::int64_t first, std:
     after = static_cast<weft_i32>((half - first) * unit + 1);
 }
 
+/// Images that may be shown.
+std::uint32_t shown_images(const weft_splat& splat) { return splat.choice.layer < 0 ? 1 : splat.textons->images; }
+
+/// Impacts in a band's list say in 31 bits where their texels are.
+bool fits_lists(const weft_splat& splat, std::uint32_t planes)
+{
+    const weft_mips& mips = *splat.textons;
+    const std::uint64_t frame = 2 * (WEFT_BLOCK_COLUMNS + 8);
+    return (mips.width + frame) * (mips.height + frame) * planes * shown_images(splat) < INT32_MAX;
+}
+
+weft_u32 splat_form(weft_use use, bool rows, const weft_splat& splat, std::uint32_t planes)
+{
+    if (use == WEFT_USE_SURFACE) return WEFT_SURFACE_GATHER;
+    return rows && fits_lists(splat, planes) ? WEFT_SPLAT_BANDS : WEFT_SPLAT_GATHER;
+}
+
+weft_u32 bands_form(weft_use use, bool rows)
+{
+    if (use == WEFT_USE_SOLID) return WEFT_LATTICE_SOLID;
+    return rows ? WEFT_LATTICE_PYRAMID : WEFT_LATTICE_GATHER;
+}
+
 } // namespace
 
 Tables::Tables(const Device& device, const weft_program& from, std::pmr::memory_resource* memory)
-    : program(from), layers(memory), levels(memory), words(memory), numbers(memory)
+    : program(from), layers(memory), levels(memory), lattices(memory), words(memory), numbers(memory)
 {
     if (!known(program))
         throw Failure(WEFT_ERROR_UNSUPPORTED,
                       "opencl: the program has a layer or a use that this backend does not know");
     for (std::uint32_t i = 0; i < program.layer_count; ++i)
         add_layer(*program.layers[i], device.cpu && program.use == WEFT_USE_WINDOW);
-    if (texel_count > device.largest_buffer / 16 || texel_count > UINT32_MAX)
-        throw Failure(WEFT_ERROR_UNSUPPORTED, "opencl: the program's textons and tiles need ", texel_count * 16,
-                      " bytes, the device's largest buffer has ", device.largest_buffer);
+    if (texel_count >= device.largest_buffer / 16 || texel_count >= UINT32_MAX)
+        throw Failure(WEFT_ERROR_UNSUPPORTED, "opencl: the program's textons, tiles and lattices need ",
+                      texel_count * 16, " bytes, the device's largest buffer has ", device.largest_buffer);
     assign_slots();
-    words.resize(words.size() + 1); // never empty: a buffer of no bytes cannot be made
+    // Never empty: a buffer of no bytes cannot be made.
+    words.resize(words.size() + 1);
+    levels.resize(levels.size() + 1);
+    lattices.resize(lattices.size() + 1);
+    texel_count += 1;
 }
 
-void Tables::add_layer(const weft_layer& layer, bool bands)
+void Tables::add_layer(const weft_layer& layer, bool rows)
 {
     LayerLayout to = {};
     to.planes = layer.planes;
     to.channels = layer.channels;
     to.period_x = program.period[0];
     to.period_y = program.period[1];
+    to.period_z = program.period[2];
     to.mask_layer = layer_of(layer.mask);
     to.mask_plane = layer.mask.plane;
     to.choice_layer = to.mask_slot = to.tones = WEFT_NONE;
     if (layer.kind == WEFT_LAYER_SPLAT) {
         to.key = weft_key(program.seed, layer.stream, WEFT_TAG_IMPACTS);
-        to.form = bands && layer.splat->choice.layer < 0 ? WEFT_SPLAT_BANDS : WEFT_SPLAT_GATHER;
+        to.form = splat_form(program.use, rows, *layer.splat, layer.planes);
         add_splat(*layer.splat, to);
+    } else if (layer.kind == WEFT_LAYER_BANDS) {
+        to.form = bands_form(program.use, rows);
+        add_bands(*layer.bands, to);
     } else {
         to.form = WEFT_TILE_GATHER;
         add_tile(*layer.tile, to);
@@ -82,7 +128,7 @@ void Tables::add_splat(const weft_splat& splat, LayerLayout& to)
     to.cell_log2 = splat.cell_log2;
     to.count_limit = splat.count_limit;
     to.signs = splat.signs;
-    to.images = splat.textons->images;
+    to.images = shown_images(splat);
     to.choice_layer = layer_of(splat.choice);
     to.choice_plane = splat.choice.plane;
     to.texton_width = splat.textons->width;
@@ -107,7 +153,7 @@ void Tables::add_tile(const weft_tile& tile, LayerLayout& to)
 void Tables::add_levels(const weft_mips& mips, LayerLayout& to)
 {
     const bool bands = to.form == WEFT_SPLAT_BANDS;
-    const std::uint32_t frame = to.form == WEFT_SPLAT_GATHER ? to.taps - 1 : 0;
+    const std::uint32_t frame = to.form == WEFT_TILE_GATHER || bands ? 0 : to.taps - 1;
     const std::uint32_t frame_y = bands ? WEFT_BLOCK_ROWS(to.taps) + to.taps - 2 : frame;
     to.first_level = static_cast<weft_u32>(levels.size());
     to.levels = mips.levels;
@@ -125,13 +171,14 @@ void Tables::add_levels(const weft_mips& mips, LayerLayout& to)
         level.frame_y = frame_y;
         level.frame_x = bands ? WEFT_BLOCK_COLUMNS : frame;
         level.plane_step = level.stride * (mip.height + 2 * frame_y) + (bands ? WEFT_BLOCK_COLUMNS : 0);
-        if (bands) {
-            texel_count += (std::uint64_t{to.planes} * level.plane_step + 3) / 4;
-        } else {
-            level.image_step = level.plane_step * groups(to.planes);
-            texel_count += std::uint64_t{level.plane_step} * groups(to.planes) * mips.images;
-        }
-        if (to.form != WEFT_TILE_GATHER) {
+        level.image_step = level.plane_step * (bands ? to.planes : groups(to.planes));
+        const std::uint64_t size = std::uint64_t{level.image_step} * to.images;
+        texel_count += bands ? (size + 3) / 4 : size;
+        if (to.form == WEFT_SURFACE_GATHER) {
+            level.reach = weft_surface_reach(weft_surface_extent(to.texton_width, mip.x, mip.width, to.taps, i),
+                                             weft_surface_extent(to.texton_height, mip.y, mip.height, to.taps, i),
+                                             std::max(to.texton_width, to.texton_height));
+        } else if (to.form != WEFT_TILE_GATHER) {
             set_reach(to.taps, i, mip.x, mip.width, level.before_x, level.after_x);
             set_reach(to.taps, i, mip.y, mip.height, level.before_y, level.after_y);
         }
@@ -189,22 +236,27 @@ void Tables::fill_texels(float* texels) const
 {
     for (std::uint32_t i = 0; i < program.layer_count; ++i) {
         const weft_layer& layer = *program.layers[i];
-        const LayerLayout& to = layers[i];
-        const weft_mips& mips = layer.kind == WEFT_LAYER_SPLAT ? *layer.splat->textons : *layer.tile->source;
-        const std::uint32_t lanes = to.form == WEFT_SPLAT_BANDS ? 1 : 4;
-        const std::uint32_t images = to.form == WEFT_SPLAT_BANDS ? 1 : mips.images;
-        for (std::uint32_t l = 0; l < mips.levels; ++l) {
-            const LevelLayout& level = levels[to.first_level + l];
-            const float* from = mips.level[l].data;
-            for (std::uint32_t plane = 0; plane < images * to.planes; ++plane) {
-                const std::uint32_t image = plane / to.planes, p = plane % to.planes;
-                const std::size_t start = std::size_t{level.image_step} * image +
-                                          std::size_t{level.plane_step} * (p / lanes) +
-                                          std::size_t{level.frame_y} * level.stride + level.frame_x;
-                float* row = texels + std::size_t{level.offset} * 4 + start * lanes + p % lanes;
-                for (std::uint32_t y = 0; y < level.height; ++y, row += std::size_t{level.stride} * lanes)
-                    for (std::uint32_t x = 0; x < level.width; ++x) row[std::size_t{x} * lanes] = *from++;
-            }
+        if (layer.kind == WEFT_LAYER_BANDS)
+            fill_lattices(*layer.bands, layers[i], texels);
+        else
+            fill_mips(layer.kind == WEFT_LAYER_SPLAT ? *layer.splat->textons : *layer.tile->source, layers[i], texels);
+    }
+}
+
+void Tables::fill_mips(const weft_mips& mips, const LayerLayout& layer, float* texels) const
+{
+    const std::uint32_t lanes = layer.form == WEFT_SPLAT_BANDS ? 1 : 4;
+    for (std::uint32_t l = 0; l < mips.levels; ++l) {
+        const LevelLayout& level = levels[layer.first_level + l];
+        const float* from = mips.level[l].data;
+        for (std::uint32_t plane = 0; plane < layer.images * layer.planes; ++plane) {
+            const std::uint32_t image = plane / layer.planes, p = plane % layer.planes;
+            const std::size_t start = std::size_t{level.image_step} * image +
+                                      std::size_t{level.plane_step} * (p / lanes) +
+                                      std::size_t{level.frame_y} * level.stride + level.frame_x;
+            float* row = texels + std::size_t{level.offset} * 4 + start * lanes + p % lanes;
+            for (std::uint32_t y = 0; y < level.height; ++y, row += std::size_t{level.stride} * lanes)
+                for (std::uint32_t x = 0; x < level.width; ++x) row[std::size_t{x} * lanes] = *from++;
         }
     }
 }

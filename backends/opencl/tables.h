@@ -11,12 +11,13 @@ struct Tables {
     /// Throws WEFT_ERROR_UNSUPPORTED for what the kernels do not know or the device cannot hold.
     Tables(const Device& device, const weft_program& program, std::pmr::memory_resource* memory);
 
-    /// Writes all texels; `texels` has `texel_count` * 4 zeros.
+    /// Writes all texels and coefficients; `texels` has `texel_count` * 4 zeros.
     void fill_texels(float* texels) const;
 
     const weft_program& program;
     std::pmr::vector<LayerLayout> layers;
     std::pmr::vector<LevelLayout> levels;
+    std::pmr::vector<LatticeLayout> lattices;
     std::pmr::vector<weft_u32> words;
     std::pmr::vector<float> numbers;
     std::uint64_t texel_count = 0; ///< in units of 4 floats
@@ -24,9 +25,13 @@ struct Tables {
     std::uint32_t sums = 0;        ///< most accumulators of a layer of bands
 
 private:
-    void add_layer(const weft_layer& layer, bool bands);
+    void add_layer(const weft_layer& layer, bool rows);
     void add_splat(const weft_splat& splat, LayerLayout& to);
     void add_tile(const weft_tile& tile, LayerLayout& to);
+    void add_bands(const weft_bands& bands, LayerLayout& to);
+    void add_lattice(const weft_band* bands, std::uint32_t index, const LayerLayout& layer);
+    void fill_lattices(const weft_bands& bands, const LayerLayout& layer, float* texels) const;
+    void fill_mips(const weft_mips& mips, const LayerLayout& layer, float* texels) const;
     void add_levels(const weft_mips& mips, LayerLayout& to);
     void add_sum(const weft_layer& layer, LayerLayout& to);
     void assign_slots();

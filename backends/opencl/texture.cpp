@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t group_size = 64;          // of the gathering kernels
 constexpr std::uint64_t most_spots = 65536;     // of one step
+constexpr std::size_t frame_floats = 9;         // of a spot on a surface
 constexpr weft_u32 segment_blocks = 32;         // of one work-item of splat_bands
 constexpr std::uint64_t most_floats = 1u << 24; // of a workspace's field, sums and result together
 constexpr std::uint64_t most_cells = 1u << 20;  // from which one list of impacts is drawn
@@ -55,6 +56,7 @@ Texture::Texture(const Device& device, const weft_program& program, std::pmr::me
     for (auto& work : workspaces_) work.emplace(device, memory);
     layers_ = upload(tables_.layers.data(), tables_.layers.size() * sizeof(LayerLayout));
     levels_ = upload(tables_.levels.data(), tables_.levels.size() * sizeof(LevelLayout));
+    lattices_ = upload(tables_.lattices.data(), tables_.lattices.size() * sizeof(LatticeLayout));
     words_ = upload(tables_.words.data(), tables_.words.size() * sizeof(weft_u32));
     numbers_ = upload(tables_.numbers.data(), tables_.numbers.size() * sizeof(float));
     std::pmr::vector<float> texels(tables_.texel_count * 4, memory);
@@ -159,57 +161,87 @@ void Texture::sample(const weft_batch& batch)
     Lease work(*this);
     const std::uint32_t channels = tables_.program.channels;
     const auto step = static_cast<std::uint32_t>(std::min(most_spots, most_floats / (tables_.slots + channels)));
-    for (std::uint32_t first = 0; first < batch.count; first += step)
-        sample_part(*work, batch.spots + first, std::min(step, batch.count - first),
-                    batch.out + std::size_t{first} * channels);
+    weft_batch part = batch;
+    for (std::uint32_t first = 0; first < batch.count; first += step) {
+        part.count = std::min(step, batch.count - first);
+        part.spots = batch.spots + first;
+        if (tables_.program.use == WEFT_USE_SURFACE) part.frames = batch.frames + std::size_t{first} * frame_floats;
+        part.out = batch.out + std::size_t{first} * channels;
+        sample_part(*work, part);
+    }
 }
 
-void Texture::sample_part(Workspace& work, const weft_spot* spots, std::uint32_t count, float* out)
+void Texture::sample_part(Workspace& work, const weft_batch& part)
 {
     static_assert(sizeof(weft_spot) == sizeof(SpotLayout));
     const weft_u32 channels = tables_.program.channels;
     SamplesLayout samples = {};
     samples.spots = 1;
-    samples.width = count;
+    samples.width = part.count;
     samples.height = 1;
-    samples.stride = samples.pitch = padded_stride(count);
+    samples.stride = samples.pitch = padded_stride(part.count);
     samples.span = (device_.cpu ? 16u : 1u) * WEFT_SAMPLES;
-    const cl_mem buffer = work.spots.get(device_.context, count * sizeof *spots);
-    check(
-        clEnqueueWriteBuffer(work.queue.get(), buffer, CL_FALSE, 0, count * sizeof *spots, spots, 0, nullptr, nullptr),
-        "clEnqueueWriteBuffer");
-    const cl_mem result = work.out.get(device_.context, std::size_t{count} * channels * sizeof(float));
+    const std::size_t bytes = std::size_t{part.count} * channels * sizeof(float);
+    send(work, work.spots, part.spots, part.count * sizeof *part.spots);
+    if (tables_.program.use == WEFT_USE_SURFACE)
+        send(work, work.frames, part.frames, std::size_t{part.count} * frame_floats * sizeof(float));
+    const cl_mem result = work.out.get(device_.context, bytes);
     evaluate(work, samples, nullptr, result, {channels, 0, 1});
-    check(clEnqueueReadBuffer(work.queue.get(), result, CL_TRUE, 0, std::size_t{count} * channels * sizeof(float), out,
-                              0, nullptr, nullptr),
+    check(clEnqueueReadBuffer(work.queue.get(), result, CL_TRUE, 0, bytes, part.out, 0, nullptr, nullptr),
           "clEnqueueReadBuffer");
 }
 
 void Texture::evaluate(Workspace& work, const SamplesLayout& samples, const weft_window* window, cl_mem out,
                        const ResultLayout& result)
 {
-    const cl_mem layers = layers_.get(), levels = levels_.get(), words = words_.get(), numbers = numbers_.get(),
-                 texels = texels_.get();
-    const cl_mem spots = work.spots.get(device_.context, sizeof(SpotLayout));
+    const cl_mem layers = layers_.get(), words = words_.get(), numbers = numbers_.get();
     const std::size_t floats = std::max<std::size_t>(std::size_t{tables_.slots} * samples.pitch, 1);
     const cl_mem field = work.field.get(device_.context, floats * sizeof(float));
     for (weft_u32 i = 0; i < tables_.layers.size(); ++i) {
         const LayerLayout& layer = tables_.layers[i];
-        const std::size_t global[3] = {round_up(std::size_t{samples.width}, group_size), samples.height,
-                                       (layer.planes + 3) / 4};
         SumsLayout blocks = {};
         if (layer.form == WEFT_SPLAT_BANDS)
-            blocks = splat_bands(work, layer, *window);
-        else if (layer.form == WEFT_SPLAT_GATHER)
-            work.splat_gather.enqueue(work.queue.get(), global, group_size, layers, levels, texels, spots, field,
-                                      samples, i, words, numbers);
+            blocks = splat_bands(work, i, *window);
         else
-            work.tile_gather.enqueue(work.queue.get(), global, group_size, layers, levels, texels, spots, field,
-                                     samples, i);
+            gather(work, samples, i, field);
         const cl_mem sums = work.sums.get(device_.context, sizeof(float));
         const std::size_t spans[3] = {(samples.width + samples.span - 1) / samples.span, samples.height, 1};
         work.layer_sum.enqueue(work.queue.get(), spans, 1, layers, words, numbers, field, sums, out, samples, blocks,
                                result, i);
+    }
+}
+
+/// A layer's planes into the field.
+void Texture::gather(Workspace& work, const SamplesLayout& samples, weft_u32 index, cl_mem field)
+{
+    const LayerLayout& layer = tables_.layers[index];
+    const cl_command_queue queue = work.queue.get();
+    const cl_mem layers = layers_.get(), levels = levels_.get(), lattices = lattices_.get(), words = words_.get(),
+                 numbers = numbers_.get(), texels = texels_.get();
+    const cl_mem spots = work.spots.get(device_.context, sizeof(SpotLayout));
+    const cl_mem frames = work.frames.get(device_.context, sizeof(float));
+    const std::size_t columns = round_up(std::size_t{samples.width}, group_size), rows = samples.height;
+    const std::size_t groups[3] = {columns, rows, (layer.planes + 3) / 4}, planes[3] = {columns, rows, layer.planes};
+    const std::size_t tiles[3] = {(samples.width + WEFT_TILE_COLUMNS - 1) / WEFT_TILE_COLUMNS,
+                                  (rows + WEFT_TILE_ROWS - 1) / WEFT_TILE_ROWS, layer.planes};
+    switch (layer.form) {
+    case WEFT_SPLAT_GATHER:
+        return work.splat_gather.enqueue(queue, groups, group_size, layers, levels, texels, spots, field, samples,
+                                         index, words, numbers);
+    case WEFT_SURFACE_GATHER:
+        return work.surface_gather.enqueue(queue, groups, group_size, layers, levels, texels, spots, frames, field,
+                                           samples, index, words, numbers);
+    case WEFT_LATTICE_GATHER:
+        return work.lattice_gather.enqueue(queue, planes, group_size, layers, lattices, texels, spots, field, samples,
+                                           index);
+    case WEFT_LATTICE_SOLID:
+        return work.lattice_solid.enqueue(queue, planes, group_size, layers, lattices, texels, spots, field, samples,
+                                          index);
+    case WEFT_LATTICE_PYRAMID:
+        return work.lattice_pyramid.enqueue(queue, tiles, 1, layers, lattices, texels, field, samples, index);
+    default:
+        return work.tile_gather.enqueue(queue, groups, group_size, layers, levels, texels, spots, field, samples,
+                                        index);
     }
 }
 
@@ -223,13 +255,15 @@ cl_mem Texture::send(Workspace& work, Scratch& scratch, const void* data, std::s
     return buffer;
 }
 
-SumsLayout Texture::splat_bands(Workspace& work, const LayerLayout& layer, const weft_window& window)
+SumsLayout Texture::splat_bands(Workspace& work, weft_u32 index, const weft_window& window)
 {
+    const LayerLayout& layer = tables_.layers[index];
+    const Choice choice(tables_.program, *tables_.program.layers[index]->splat);
     SumsLayout blocks = {};
     blocks.level = window.level;
     if (window.level >= layer.levels) return blocks; // layer_sum takes f = 0
     blocks.index = layer.first_level + window.level;
-    work.impacts.collect(layer, tables_.levels[blocks.index], tables_.words.data() + layer.counts, window);
+    work.impacts.collect(layer, tables_.levels[blocks.index], tables_.words.data() + layer.counts, choice, window);
     const auto& list = work.impacts.list();
     const auto& begins = work.impacts.bands();
     const cl_mem impacts = send(work, work.lists, list.data(), list.size() * sizeof list[0]);

@@ -23,10 +23,11 @@ public:
 private:
     void render_part(Workspace& work, const weft_window& part, std::size_t plane);
     void render_in_place(Workspace& work, const SamplesLayout& samples, const weft_window& part, std::size_t plane);
-    void sample_part(Workspace& work, const weft_spot* spots, std::uint32_t count, float* out);
+    void sample_part(Workspace& work, const weft_batch& part);
     void evaluate(Workspace& work, const SamplesLayout& samples, const weft_window* window, cl_mem out,
                   const ResultLayout& result);
-    SumsLayout splat_bands(Workspace& work, const LayerLayout& layer, const weft_window& window);
+    void gather(Workspace& work, const SamplesLayout& samples, weft_u32 index, cl_mem field);
+    SumsLayout splat_bands(Workspace& work, weft_u32 index, const weft_window& window);
     cl_mem send(Workspace& work, Scratch& scratch, const void* data, std::size_t bytes);
     bool too_large(const weft_window& window) const;
     Buffer upload(const void* data, std::size_t bytes);
@@ -35,7 +36,7 @@ private:
 
     const Device& device_;
     Tables tables_;
-    Buffer layers_, levels_, words_, numbers_, texels_;
+    Buffer layers_, levels_, lattices_, words_, numbers_, texels_;
     std::optional<Workspace> workspaces_[concurrency];
     std::mutex mutex_;
     std::condition_variable returned_;
