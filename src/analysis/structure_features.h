@@ -17,6 +17,9 @@ inline float distance(const Feature& a, const Feature& b) noexcept
     return (d0 * d0 + d1 * d1) + (d2 * d2 + d3 * d3);
 }
 
+/// How far a pixel is from the mean of all; 1/2 on average.
+inline float square_of(const Feature& a) noexcept { return distance(a, Feature{}); }
+
 inline Feature lerp(const Feature& a, const Feature& b, float t) noexcept
 {
     Feature result{};

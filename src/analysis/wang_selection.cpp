@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t candidates = 96; ///< for north edges, and as many for west edges
 constexpr std::uint32_t most_diamonds = 2 * most_wang_colours, coarse_knots = 40, bins = 8, values = 4 * bins;
-constexpr double worst_weight = 0.5, overlap_weight = 0.2, likeness_weight = 0.3;
+constexpr double worst_weight = 0.5, common_weight = 0.5, likeness_weight = 0.3;
 
 struct Candidate {
     Wang::Diamond corner;
@@ -22,14 +22,23 @@ struct Candidate {
 /// What sets of diamonds are judged by.
 struct Table {
     std::uint32_t colours;
-    float width, height; ///< of a cell, in the candidates' texels
+    std::uint32_t width, height; ///< of a cell, in the candidates' texels
     Array<Candidate> north, west;
     Array<float> errors;    ///< of the cuts between north i and west j: [i][j][quarter]
+    Array<float> common;    ///< of each two candidates, the west ones after the north ones
     float exemplar[values]; ///< its histogram
 
     const Candidate& at(std::uint32_t edge, std::uint32_t choice) const noexcept
     {
         return edge < colours ? north[choice] : west[choice];
+    }
+    std::uint32_t row(std::uint32_t edge, std::uint32_t choice) const noexcept
+    {
+        return edge < colours ? choice : candidates + choice;
+    }
+    float common_of(std::uint32_t row_a, std::uint32_t row_b) const noexcept
+    {
+        return common[std::size_t{row_a} * 2 * candidates + row_b];
     }
     const float* cuts(std::uint32_t i, std::uint32_t j) const noexcept
     {
@@ -92,12 +101,24 @@ void describe(const Features& features, const Bins& of, std::uint32_t width, std
     divide(candidate.histogram, count);
 }
 
-/// Share of their area that two diamonds have in common.
-double overlap(const Table& table, Wang::Diamond a, Wang::Diamond b) noexcept
+/// What two diamonds have in common: twins of each other's texels, the more so the more these stand out. 1: all of it.
+float common_of(const Features& features, const Table& table, Wang::Diamond a, Wang::Diamond b) noexcept
 {
-    const double x = static_cast<double>(a.x - b.x) / static_cast<double>(table.width),
-                 y = static_cast<double>(a.y - b.y) / static_cast<double>(table.height);
-    return std::max(0.0, 1 - std::abs(x + y)) * std::max(0.0, 1 - std::abs(x - y));
+    const auto w = static_cast<std::int32_t>(table.width), h = static_cast<std::int32_t>(table.height);
+    const std::int32_t dx = b.x - a.x, dy = b.y - a.y, step = std::max(1, std::max(w, h) / 16);
+    const auto inside = [w, h](std::int32_t x, std::int32_t y) {
+        return std::abs(2 * x + 1 - w) * h + std::abs(2 * y + 1 - h) * w < w * h;
+    };
+    float common = 0, all = 0;
+    for (std::int32_t y = step / 2; y < h; y += step)
+        for (std::int32_t x = step / 2; x < w; x += step) {
+            if (!inside(x, y)) continue;
+            all += 1;
+            if (inside(x - dx, y - dy))
+                common +=
+                    2 * square_of(features.at(static_cast<std::size_t>(a.x + x), static_cast<std::size_t>(a.y + y)));
+        }
+    return all > 0 ? common / all : 0;
 }
 
 struct Choice {
@@ -119,13 +140,13 @@ double cost_of(const Table& table, const Choice& choice) noexcept
     float histogram[values] = {};
     for (std::uint32_t i = 0; i < 2 * n; ++i) {
         const Candidate& one = table.at(i, choice.of[i]);
-        for (std::uint32_t j = 0; j < i; ++j) common += overlap(table, one.corner, table.at(j, choice.of[j]).corner);
+        for (std::uint32_t j = 0; j < i; ++j)
+            common += static_cast<double>(table.common_of(table.row(i, choice.of[i]), table.row(j, choice.of[j])));
         for (std::uint32_t k = 0; k < values; ++k) histogram[k] += one.histogram[k];
     }
     for (std::uint32_t k = 0; k < values; ++k)
         unlike += 0.5 * static_cast<double>(std::abs(histogram[k] / static_cast<float>(2 * n) - table.exemplar[k]));
-    const double pairs = 2.0 * n * (2.0 * n - 1) / 2;
-    return worst_weight * worst + sum / (4.0 * n * n) + overlap_weight * common / pairs * n + likeness_weight * unlike;
+    return worst_weight * worst + sum / (4.0 * n * n) + common_weight * common / n + likeness_weight * unlike;
 }
 
 /// Swaps one diamond at a time for the best candidate until none is better.
@@ -154,11 +175,12 @@ Table table_of(Core& core, const Features& features, const Wang& coarse, std::ui
 {
     Table table{};
     table.colours = coarse.colours;
-    table.width = static_cast<float>(coarse.width);
-    table.height = static_cast<float>(coarse.height);
+    table.width = coarse.width;
+    table.height = coarse.height;
     table.north = Array<Candidate>(&core.memory, candidates);
     table.west = Array<Candidate>(&core.memory, candidates);
     table.errors = Array<float>(&core.memory, std::size_t{candidates} * candidates * 4);
+    table.common = Array<float>(&core.memory, std::size_t{4} * candidates * candidates);
     const Bins of(features);
     for (const Feature& pixel : features.pixels) of.add(pixel, table.exemplar);
     divide(table.exemplar, features.pixels.size());
@@ -168,6 +190,13 @@ Table table_of(Core& core, const Features& features, const Wang& coarse, std::ui
         table.west[i].corner = spread(seed, candidates + i, across, down);
         describe(features, of, coarse.width, coarse.height, table.north[i]);
         describe(features, of, coarse.width, coarse.height, table.west[i]);
+    });
+    core.parallel.for_each_index(2 * candidates, [&](std::uint32_t i) {
+        const auto corner = [&](std::uint32_t k) {
+            return k < candidates ? table.north[k].corner : table.west[k - candidates].corner;
+        };
+        for (std::uint32_t j = 0; j < 2 * candidates; ++j)
+            table.common[std::size_t{i} * 2 * candidates + j] = common_of(features, table, corner(i), corner(j));
     });
     const double cost = 4.0 * candidates * 20 * coarse.knots * coarse.knots;
     for_each_step(core, candidates, cost, progress, [&](std::uint32_t i) {
