@@ -26,12 +26,12 @@ typedef struct weft_half {
 static inline weft_half weft_half_at(weft_place at, weft_u32 size, float unit)
 {
     const weft_i32 length = (weft_i32)size, middle = length / 2;
-    weft_half half;
-    half.second = at.texel >= middle ? 1 : 0;
-    half.texel = half.second != 0 ? at.texel - middle : at.texel + middle;
-    half.distance = half.second != 0 ? (float)(length - at.texel) - at.fraction : (float)at.texel + at.fraction;
-    half.distance = half.distance * unit;
-    return half;
+    weft_half part;
+    part.second = at.texel >= middle ? 1 : 0;
+    part.texel = part.second != 0 ? at.texel - middle : at.texel + middle;
+    part.distance = part.second != 0 ? (float)(length - at.texel) - at.fraction : (float)at.texel + at.fraction;
+    part.distance = part.distance * unit;
+    return part;
 }
 
 /* Texel of a source of `size`, in the diamond that begins at `corner`. */
