@@ -40,9 +40,11 @@ static int is_finite(float value) { return value - value == 0; }
 
 static void check_info(const weft_model* model, const weft_model_info* info)
 {
-    FUZZ_CHECK(info->method == WEFT_METHOD_TEXTON || info->method == WEFT_METHOD_PICTURE);
-    FUZZ_CHECK(info->channels >= 1 && info->channels <= 16 && info->parts >= 1);
-    FUZZ_CHECK(info->width >= 1 && info->width <= 16384 && info->height >= 1 && info->height <= 16384);
+    const int has_parts = info->method == WEFT_METHOD_TEXTON || info->method == WEFT_METHOD_PICTURE;
+    FUZZ_CHECK(has_parts || info->method == WEFT_METHOD_WAVELET);
+    FUZZ_CHECK(info->channels >= 1 && info->channels <= 16 && (info->parts >= 1) == has_parts);
+    FUZZ_CHECK((info->width >= 1) == has_parts && info->width <= 16384);
+    FUZZ_CHECK((info->height >= 1) == has_parts && info->height <= 16384);
     FUZZ_CHECK(info->model_error == -1 || (info->model_error >= 0 && is_finite(info->model_error)));
     for (uint32_t c = 0; c < info->channels; ++c) FUZZ_CHECK(is_finite(info->mean[c]) && info->deviation[c] >= 0);
     for (uint32_t i = 0; i < info->parts; ++i) {
@@ -52,6 +54,30 @@ static void check_info(const weft_model* model, const weft_model_info* info)
     }
 }
 
+/* The bytes of a model, of which there are info->bytes. */
+static uint8_t* save(const weft_model* model, const weft_model_info* info)
+{
+    uint8_t* bytes = malloc((size_t)info->bytes);
+    FUZZ_CHECK(bytes && weft_model_save(model, bytes, (size_t)info->bytes) == WEFT_OK);
+    return bytes;
+}
+
+/* The parameters of wavelet noise make the same model. */
+static void check_wavelet(weft_context* context, const weft_model* model, const weft_model_info* info,
+                          const uint8_t* bytes)
+{
+    weft_wavelet wavelet = WEFT_WAVELET_INIT;
+    weft_model* again = NULL;
+    const weft_status status = weft_model_get_wavelet(model, &wavelet);
+    FUZZ_CHECK((status == WEFT_OK) == (info->method == WEFT_METHOD_WAVELET));
+    if (status != WEFT_OK) return;
+    FUZZ_CHECK(weft_model_from_wavelet(context, &wavelet, &again) == WEFT_OK);
+    uint8_t* saved = save(again, info);
+    FUZZ_CHECK(memcmp(saved, bytes, (size_t)info->bytes) == 0);
+    free(saved);
+    weft_model_free(again);
+}
+
 void fuzz_check_model(weft_context* context, const weft_model* model)
 {
     weft_model_info info = WEFT_MODEL_INFO_INIT;
@@ -59,13 +85,11 @@ void fuzz_check_model(weft_context* context, const weft_model* model)
     FUZZ_CHECK(weft_model_get(model, &info) == WEFT_OK);
     check_info(model, &info);
     FUZZ_CHECK(info.bytes < UINT64_C(64) << 20);
-    const size_t size = (size_t)info.bytes;
-    uint8_t *first = malloc(size), *second = malloc(size);
-    FUZZ_CHECK(first && second);
-    FUZZ_CHECK(weft_model_save(model, first, size) == WEFT_OK);
-    FUZZ_CHECK(weft_model_load(context, first, size, &again) == WEFT_OK);
-    FUZZ_CHECK(weft_model_save(again, second, size) == WEFT_OK);
-    FUZZ_CHECK(memcmp(first, second, size) == 0);
+    uint8_t* first = save(model, &info);
+    FUZZ_CHECK(weft_model_load(context, first, (size_t)info.bytes, &again) == WEFT_OK);
+    uint8_t* second = save(again, &info);
+    FUZZ_CHECK(memcmp(first, second, (size_t)info.bytes) == 0);
+    check_wavelet(context, model, &info, first);
     weft_model_free(again);
     free(first);
     free(second);

@@ -1,5 +1,5 @@
-/* A small image and arbitrary options: analysis and comparison end with a status, within 64 MiB. The first 36 bytes are
- * options and sizes, pixels follow. */
+/* A small image and arbitrary options: analysis, comparison and description end with a status, within 64 MiB. The first
+ * 36 bytes are options and sizes, pixels follow. */
 #include "fuzz.h"
 
 enum { most_side = 28 };
@@ -21,6 +21,27 @@ static void compare(weft_context* context, const weft_image* image, uint64_t see
         fuzz_check_error(status);
     else
         FUZZ_CHECK(comparison.histogram_distance == -1 || comparison.histogram_distance >= 0);
+}
+
+static void describe(weft_context* context, const weft_image* image)
+{
+    weft_description description = WEFT_DESCRIPTION_INIT;
+    const weft_status status = weft_describe(context, image, NULL, NULL, &description);
+    if (status != WEFT_OK)
+        fuzz_check_error(status);
+    else
+        FUZZ_CHECK(memchr(description.reasons, 0, sizeof description.reasons) && description.anisotropy <= 1);
+}
+
+/* As wavelet noise, with the texton's options in the place of its own. */
+static weft_status analyze_wavelet(weft_context* context, const weft_image* image, const weft_texton_options* texton,
+                                   int* left, weft_model** model)
+{
+    weft_wavelet_options options = WEFT_WAVELET_OPTIONS_INIT;
+    options.bands = texton->support;
+    options.tone_knots = texton->iterations;
+    options.gaussian = (uint32_t)texton->interpolation;
+    return weft_analyze_wavelet(context, image, &options, count_down, left, model);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
@@ -45,6 +66,8 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     weft_status status;
     if (shape[4] % 4 == 0)
         status = weft_analyze_picture(context, &image, &model);
+    else if (shape[4] % 8 == 5)
+        status = analyze_wavelet(context, &image, &options, &left, &model);
     else
         status = weft_analyze_texton(context, &image, &options, count_down, &left, &model);
     if (status == WEFT_OK) {
@@ -55,5 +78,6 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
         FUZZ_CHECK(model == NULL);
     }
     if (shape[6] % 64 == 63) compare(context, &image, options.seed);
+    if (shape[6] % 64 == 62) describe(context, &image);
     return 0;
 }

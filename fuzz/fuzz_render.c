@@ -7,12 +7,16 @@ enum { side = 16, points = 8 };
 typedef struct request {
     weft_texture_options options;
     int64_t x, y;
-    uint32_t level;
+    uint32_t level, in_space;
 } request;
+
+/* Which step of a mixed model is where. */
+static float steps[6] = {0, 0.2f, 0.4f, 1, 0.6f, 0.8f};
+static const weft_image map = {steps, 0, 3, 2, 1, WEFT_FORMAT_F32};
 
 static request take_request(const uint8_t** bytes, size_t* size)
 {
-    request r = {WEFT_TEXTURE_OPTIONS_INIT, 0, 0, 0};
+    request r = {WEFT_TEXTURE_OPTIONS_INIT, 0, 0, 0, 0};
     uint32_t small;
     fuzz_take(bytes, size, &r.options.seed, 8);
     fuzz_take(bytes, size, &r.x, 8);
@@ -22,13 +26,37 @@ static request take_request(const uint8_t** bytes, size_t* size)
     fuzz_take(bytes, size, &r.options.impacts, 4);
     fuzz_take(bytes, size, &small, 4);
     r.level = small % 33;
+    r.in_space = small / 33 & 1;
+    if (small / 66 & 1) {
+        r.options.mix = &map;
+        r.options.mix_scale = (float)(small / 132 % 20);
+    }
     return r;
 }
 
+/* Points on a surface of a texton's texture, or of wavelet noise in space. */
+static weft_status sample_in_space(const weft_texture* texture, weft_method method, const request* r, float* out)
+{
+    weft_surface_point surface[points];
+    weft_solid_point solid[points];
+    memset(surface, 0, sizeof surface);
+    memset(solid, 0, sizeof solid);
+    for (int i = 0; i < points; ++i) {
+        const double place[3] = {(double)(r->x % 100000) + i * 1.37, (double)(r->y % 100000) - i * 0.61, i * 2.5};
+        memcpy(surface[i].position, place, sizeof place);
+        memcpy(solid[i].position, place, sizeof place);
+        surface[i].tangent[i % 3] = surface[i].bitangent[(i + 1) % 3] = 1;
+        solid[i].footprint = (float)(i * i) * 0.75f;
+    }
+    return method == WEFT_METHOD_WAVELET ? weft_texture_sample_solid(texture, points, solid, out)
+                                         : weft_texture_sample_surface(texture, points, surface, out);
+}
+
 /* 0, or the pixels and points of the texture on a device; at most `channels` of each. */
-static weft_status evaluate(const char* device, const weft_model* model, const request* r, uint32_t channels,
+static weft_status evaluate(const char* device, const weft_model* model, const request* r, const weft_model_info* info,
                             float* out)
 {
+    const uint32_t channels = info->channels;
     weft_texture* texture = NULL;
     weft_status status = weft_texture_create(fuzz_context(device), model, &r->options, &texture);
     if (status != WEFT_OK) return status;
@@ -47,13 +75,16 @@ static weft_status evaluate(const char* device, const weft_model* model, const r
         }
         status = weft_texture_sample(texture, points, point, out + (size_t)side * side * channels);
     }
+    if (status == WEFT_OK && r->in_space)
+        status = sample_in_space(texture, info->method, r, out + (size_t)(side * side + points) * channels);
     weft_texture_free(texture);
     return status;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
-    static float reference[(side * side + points) * 16], other[(side * side + points) * 16];
+    enum { values = side * side + 2 * points };
+    static float reference[values * 16], other[values * 16];
     const request r = take_request(&bytes, &size);
     weft_model* model = NULL;
     if (weft_model_load(fuzz_context("scalar"), bytes, size, &model) != WEFT_OK) return 0;
@@ -61,11 +92,12 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     FUZZ_CHECK(weft_model_get(model, &info) == WEFT_OK);
     /* More impacts than this are slow, not new. */
     if (!(r.options.impacts > 100)) {
-        const weft_status status = evaluate("scalar", model, &r, info.channels, reference);
-        const weft_status same = evaluate("simd", model, &r, info.channels, other);
+        const weft_status status = evaluate("scalar", model, &r, &info, reference);
+        const weft_status same = evaluate("simd", model, &r, &info, other);
         FUZZ_CHECK(status == same);
+        const size_t count = (size_t)(values - (r.in_space ? 0 : points)) * info.channels;
         if (status == WEFT_OK)
-            FUZZ_CHECK(memcmp(reference, other, (size_t)(side * side + points) * info.channels * sizeof(float)) == 0);
+            FUZZ_CHECK(memcmp(reference, other, count * sizeof(float)) == 0);
         else
             fuzz_check_error(status);
     }

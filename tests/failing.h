@@ -1,4 +1,5 @@
-/* What the tests of memory share: a call is made again and again, each of its allocations failing in turn, and within limits. */
+/* What the tests of memory share: a call is made again and again, each of its allocations failing in turn, and within
+ * limits. */
 #ifndef WEFT_TESTS_FAILING_H
 #define WEFT_TESTS_FAILING_H
 
@@ -10,13 +11,11 @@ static char elsewhere;
 #define UNTOUCHED ((void *)&elsewhere)
 
 /* A call over a context whose allocator is the ledger's; everything it makes is freed by it. Allocations of the set-up
- * before the call under test are not failed: `arm` begins the count. The limit of a context holds for the set-up as well. */
+ * before the call under test are not failed: `arm` begins the count. The limit of a context holds for the set-up as
+ * well. */
 typedef weft_status (*Call)(weft_context *context, Ledger *ledger, uint64_t fail_at);
 
-static inline void arm(Ledger *ledger, uint64_t fail_at)
-{
-    ledger->fail_at = fail_at ? ledger->calls + fail_at : 0;
-}
+static inline void arm(Ledger *ledger, uint64_t fail_at) { ledger->fail_at = fail_at ? ledger->calls + fail_at : 0; }
 
 static inline void disarm(Ledger *ledger) { ledger->fail_at = 0; }
 
@@ -28,8 +27,10 @@ static inline void disarm(Ledger *ledger) { ledger->fail_at = 0; }
         arm(ledger, fail_at);                                                                                          \
         const weft_status status = (expression);                                                                       \
         disarm(ledger);                                                                                                \
-        if (status == WEFT_OK) weft_model_free(model);                                                                 \
-        else assert_ptr_equal(model, UNTOUCHED);                                                                       \
+        if (status == WEFT_OK)                                                                                         \
+            weft_model_free(model);                                                                                    \
+        else                                                                                                           \
+            assert_ptr_equal(model, UNTOUCHED);                                                                        \
         return status;                                                                                                 \
     }
 static inline weft_status create(weft_context *context, weft_model *model, Ledger *ledger, uint64_t fail_at)
@@ -38,8 +39,10 @@ static inline weft_status create(weft_context *context, weft_model *model, Ledge
     arm(ledger, fail_at);
     const weft_status status = weft_texture_create(context, model, NULL, &texture);
     disarm(ledger);
-    if (status == WEFT_OK) weft_texture_free(texture);
-    else assert_ptr_equal(texture, UNTOUCHED);
+    if (status == WEFT_OK)
+        weft_texture_free(texture);
+    else
+        assert_ptr_equal(texture, UNTOUCHED);
     weft_model_free(model);
     return status;
 }
@@ -60,8 +63,8 @@ static inline weft_status with_context(Call call, uint32_t threads, uint64_t lim
     return status;
 }
 
-/* Fails allocation n of the call for n = 1, 2, ... until the call succeeds. Where a call makes thousands of allocations, n
- * grows in steps after the first hundred. */
+/* Fails allocation n of the call for n = 1, 2, ... until the call succeeds. Where a call makes thousands of
+ * allocations, n grows in steps after the first hundred. */
 static inline void fail_in_turn(Call call, uint32_t threads, int all_after)
 {
     weft_status status = WEFT_ERROR_MEMORY;
@@ -86,7 +89,8 @@ static inline void fail_each(Call call)
         for (int all_after = 0; all_after < 2; ++all_after) fail_in_turn(call, threads, all_after);
 }
 
-/* With a limit of the call's peak it succeeds; with any lower one it fails, or does with less; the limit is always kept. */
+/* With a limit of the call's peak it succeeds; with any lower one it fails, or does with less; the limit is always
+ * kept. */
 static inline void limit_each(Call call)
 {
     Ledger ledger;

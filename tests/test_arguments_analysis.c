@@ -32,6 +32,8 @@ static void input_images(void **state)
     uint64_t counts[3 * 4];
     weft_comparison comparison = WEFT_COMPARISON_INIT;
     const weft_comparison before = comparison;
+    weft_description description = WEFT_DESCRIPTION_INIT;
+    const weft_description no_description = description;
     weft_model *model;
     fill_bytes(&out, 0xa5);
     memset(counts, 0xa5, sizeof counts);
@@ -40,8 +42,11 @@ static void input_images(void **state)
         const char *word = bad[i].word;
         REFUSED_HANDLE(weft_analyze_texton(context, image, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT,
                        "weft_analyze_texton", word);
+        REFUSED_HANDLE(weft_analyze_wavelet(context, image, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT,
+                       "weft_analyze_wavelet", word);
         REFUSED_HANDLE(weft_analyze_picture(context, image, &model), model, WEFT_ERROR_ARGUMENT, "weft_analyze_picture",
                        word);
+        REFUSED(weft_describe(context, image, NULL, NULL, &description), "weft_describe", word);
         REFUSED(weft_power_spectrum(context, image, &out), "weft_power_spectrum", word);
         REFUSED(weft_autocovariance(context, image, &out), "weft_autocovariance", word);
         REFUSED(weft_histogram(context, image, 0, 1, 4, counts), "weft_histogram", word);
@@ -51,6 +56,7 @@ static void input_images(void **state)
     assert_true(all_bytes(&out, 0xa5));
     for (size_t i = 0; i < sizeof counts; ++i) assert_int_equal(((unsigned char *)counts)[i], 0xa5);
     assert_memory_equal(&comparison, &before, sizeof before);
+    assert_memory_equal(&description, &no_description, sizeof no_description);
     free_image(&out);
 }
 
@@ -61,6 +67,7 @@ static void pixels_that_are_not_finite(void **state)
     weft_image out = new_image(8, 8, 3, WEFT_FORMAT_F32);
     uint64_t counts[3 * 4];
     weft_comparison comparison = WEFT_COMPARISON_INIT;
+    weft_description description = WEFT_DESCRIPTION_INIT;
     weft_model *model;
     fill_bytes(&out, 0xa5);
     memset(counts, 0xa5, sizeof counts);
@@ -70,8 +77,11 @@ static void pixels_that_are_not_finite(void **state)
         values(&image)[places[i / 3]] = not_finite[i % 3];
         REFUSED_HANDLE(weft_analyze_texton(context, &image, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT,
                        "weft_analyze_texton", "photo");
+        REFUSED_HANDLE(weft_analyze_wavelet(context, &image, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT,
+                       "weft_analyze_wavelet", "photo");
         REFUSED_HANDLE(weft_analyze_picture(context, &image, &model), model, WEFT_ERROR_ARGUMENT,
                        "weft_analyze_picture", "picture");
+        REFUSED(weft_describe(context, &image, NULL, NULL, &description), "weft_describe", "photo");
         REFUSED(weft_power_spectrum(context, &image, &out), "weft_power_spectrum", "image");
         REFUSED(weft_autocovariance(context, &image, &out), "weft_autocovariance", "image");
         REFUSED(weft_histogram(context, &image, 0, 1, 4, counts), "weft_histogram", "image");
@@ -216,11 +226,42 @@ static void comparing(void **state)
     REFUSED(weft_compare(context, &photo, &photo, NULL, NULL, NULL, &comparison), function, "size");
 }
 
+static void describing(void **state)
+{
+    (void)state;
+    const char *function = "weft_describe";
+    weft_description description;
+    memset(&description, 0xa5, sizeof description);
+    description.size = sizeof description;
+    const weft_description before = description;
+    weft_image narrow = new_grain(GRAIN_SOFT, 15, 16, 3, 9), low = new_grain(GRAIN_SOFT, 16, 15, 3, 9);
+    REFUSED(weft_describe(NULL, &photo, NULL, NULL, &description), function, "context");
+    REFUSED(weft_describe(context, NULL, NULL, NULL, &description), function, "photo");
+    REFUSED(weft_describe(context, &photo, NULL, NULL, NULL), function, "description");
+    REFUSED(weft_describe(context, &narrow, NULL, NULL, &description), function, "15 x 16");
+    REFUSED(weft_describe(context, &low, NULL, NULL, &description), function, "16 x 15");
+    assert_memory_equal(&description, &before, sizeof before);
+    const uint32_t wrong_sizes[] = {0, 3, 4097, UINT32_MAX};
+    for (int i = 0; i < 4; ++i) {
+        description.size = wrong_sizes[i];
+        REFUSED(weft_describe(context, &photo, NULL, NULL, &description), function, "size");
+    }
+    free_image(&narrow);
+    free_image(&low);
+
+    /* Of an older header: what it does not know stays as it was. */
+    description = before;
+    description.size = offsetof(weft_description, histogram);
+    assert_ok(weft_describe(context, &photo, NULL, NULL, &description));
+    const size_t known = offsetof(weft_description, histogram);
+    assert_memory_equal((char *)&description + known, (const char *)&before + known, sizeof before - known);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(input_images), cmocka_unit_test(analysis),  cmocka_unit_test(pixels_that_are_not_finite),
-        cmocka_unit_test(measures),     cmocka_unit_test(comparing),
+        cmocka_unit_test(measures),     cmocka_unit_test(comparing), cmocka_unit_test(describing),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

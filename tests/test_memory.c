@@ -143,6 +143,17 @@ static weft_status call_compare(weft_context *context, Ledger *ledger, uint64_t 
     return status;
 }
 
+static weft_status call_describe(weft_context *context, Ledger *ledger, uint64_t fail_at)
+{
+    weft_description description = WEFT_DESCRIPTION_INIT;
+    const weft_description before = description;
+    arm(ledger, fail_at);
+    const weft_status status = weft_describe(context, &output, NULL, NULL, &description);
+    disarm(ledger);
+    if (status != WEFT_OK) assert_memory_equal(&description, &before, sizeof before);
+    return status;
+}
+
 EACH(analyze_texton)
 EACH(analyze_picture)
 EACH(load)
@@ -154,6 +165,7 @@ EACH(spectrum)
 EACH(autocovariance)
 EACH(histogram)
 EACH(compare)
+EACH(describe)
 
 static void test_model_functions(void **state)
 {
@@ -267,6 +279,7 @@ int main(void)
         cmocka_unit_test(test_autocovariance),
         cmocka_unit_test(test_analyze_texton),
         cmocka_unit_test(test_compare),
+        cmocka_unit_test(test_describe),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

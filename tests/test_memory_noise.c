@@ -14,7 +14,8 @@ static int begin(void **state)
     weft_context *context = new_context("scalar", 1);
     photo = new_grain(GRAIN_SOFT, 12, 10, 3, 1);
     wavelet = random_wavelet(1, 2, 4, 1);
-    weft_model *texton = new_texton(context, 16, 1, 4, WEFT_INTERPOLATION_LINEAR, 3), *noise = new_wavelet(context, &wavelet);
+    weft_model *texton = new_texton(context, 16, 1, 4, WEFT_INTERPOLATION_LINEAR, 3),
+               *noise = new_wavelet(context, &wavelet);
     texton_bytes = saved(texton, &texton_size);
     wavelet_bytes = saved(noise, &wavelet_size);
     weft_model_free(noise);
@@ -45,8 +46,10 @@ static weft_status mix(weft_context *context, const void *bytes, size_t size, Le
     arm(ledger, fail_at);
     status = weft_model_mix(context, a, a, 0.5f, 2, &mixed);
     disarm(ledger);
-    if (status == WEFT_OK) weft_model_free(mixed);
-    else assert_ptr_equal(mixed, UNTOUCHED);
+    if (status == WEFT_OK)
+        weft_model_free(mixed);
+    else
+        assert_ptr_equal(mixed, UNTOUCHED);
     weft_model_free(a);
     return status;
 }
@@ -121,14 +124,9 @@ static void test_solid(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_from_wavelet),
-        cmocka_unit_test(test_load_wavelet),
-        cmocka_unit_test(test_morph),
-        cmocka_unit_test(test_create_wavelet),
-        cmocka_unit_test(test_surface),
-        cmocka_unit_test(test_solid),
-        cmocka_unit_test(test_analyze_wavelet),
-        cmocka_unit_test(test_mix),
+        cmocka_unit_test(test_from_wavelet),    cmocka_unit_test(test_load_wavelet), cmocka_unit_test(test_morph),
+        cmocka_unit_test(test_create_wavelet),  cmocka_unit_test(test_surface),      cmocka_unit_test(test_solid),
+        cmocka_unit_test(test_analyze_wavelet), cmocka_unit_test(test_mix),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

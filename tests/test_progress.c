@@ -73,8 +73,10 @@ static weft_status call_analyze_wavelet(weft_context *context, Report *report)
 {
     weft_model *made = UNTOUCHED;
     const weft_status status = weft_analyze_wavelet(context, &photo, NULL, on_progress, report, &made);
-    if (status == WEFT_OK) weft_model_free(made);
-    else assert_ptr_equal(made, UNTOUCHED);
+    if (status == WEFT_OK)
+        weft_model_free(made);
+    else
+        assert_ptr_equal(made, UNTOUCHED);
     return status;
 }
 
@@ -93,6 +95,14 @@ static weft_status call_compare(weft_context *context, Report *report)
     weft_comparison comparison = WEFT_COMPARISON_INIT;
     const weft_status status = weft_compare(context, &photo, &output, NULL, on_progress, report, &comparison);
     if (status != WEFT_OK) assert_true(comparison.model_error == 0 && comparison.seam_score == 0);
+    return status;
+}
+
+static weft_status call_describe(weft_context *context, Report *report)
+{
+    weft_description description = WEFT_DESCRIPTION_INIT;
+    const weft_status status = weft_describe(context, &output, on_progress, report, &description);
+    if (status != WEFT_OK) assert_true(description.method == 0 && description.reasons[0] == '\0');
     return status;
 }
 
@@ -164,6 +174,12 @@ static void comparison(void **state)
     observe(call_compare, 3);
 }
 
+static void description(void **state)
+{
+    (void)state;
+    observe(call_describe, 6);
+}
+
 /* What was cancelled can be done again, with the same result as if nothing had happened. */
 static void again_after_cancelling(void **state)
 {
@@ -184,11 +200,8 @@ static void again_after_cancelling(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(analysis),
-        cmocka_unit_test(wavelet_analysis),
-        cmocka_unit_test(rendering),
-        cmocka_unit_test(comparison),
-        cmocka_unit_test(again_after_cancelling),
+        cmocka_unit_test(analysis),   cmocka_unit_test(wavelet_analysis), cmocka_unit_test(rendering),
+        cmocka_unit_test(comparison), cmocka_unit_test(description),      cmocka_unit_test(again_after_cancelling),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

@@ -4,6 +4,7 @@
  * t the distance to the expected value that chance explains. All seeds are fixed: the test gives the same answer
  * always. */
 #include "covariance.h"
+#include "estimate.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,39 +29,6 @@ static int end(void **state)
 }
 
 enum { windows = 60 };
-
-/* |t| that windows - 1 degrees of freedom exceed with a probability of 1e-9: less than 1e-5 for all tests of this file. */
-static const double bound = 7.2;
-
-/* Mean and standard error of estimates. */
-typedef struct Estimate {
-    double sum, squares;
-    uint32_t count;
-} Estimate;
-
-static void add(Estimate *estimate, double value)
-{
-    estimate->sum += value;
-    estimate->squares += value * value;
-    ++estimate->count;
-}
-
-static double mean_of(const Estimate *e) { return e->sum / e->count; }
-static double error_of(const Estimate *e)
-{
-    const double mean = mean_of(e), variance = (e->squares - e->count * mean * mean) / (e->count - 1);
-    return sqrt((variance > 0 ? variance : 0) / e->count);
-}
-
-/* Within the interval, and the interval narrow enough that it says something: half of it below `narrow`. */
-static void assert_expected(const Estimate *estimate, double expected, double narrow, const char *what, int index)
-{
-    const double mean = mean_of(estimate), half = bound * error_of(estimate);
-    if (fabs(mean - expected) <= half && half <= narrow) return;
-    print_error("%s %d: %g, expected %g, half interval %g, to be below %g\n", what, index, mean, expected, half,
-                narrow);
-    fail();
-}
 
 /* A texton of an exemplar with streaks, and what it promises. */
 typedef struct Promise {
@@ -256,7 +224,7 @@ static void a_wrong_promise_is_noticed(void **state)
         weft_texture_free(texture);
     }
     const double promised = (double)promise.info.deviation[0] * (double)promise.info.deviation[0];
-    assert_true(fabs(mean_of(&variance) - 1.21 * promised) > bound * error_of(&variance));
+    assert_true(fabs(mean_of(&variance) - 1.21 * promised) > half_of(&variance));
     free_promise(&promise);
 }
 

@@ -1,4 +1,5 @@
-/* Noise on surfaces: mean and variance on plane, sphere and torus (Galerne et al. 2017, Proposition 3), frames, refusals. */
+/* Noise on surfaces: mean and variance on plane, sphere and torus (Galerne et al. 2017, Proposition 3), frames,
+ * refusals. */
 #include "estimate.h"
 #include "refusals.h"
 #include "wavelets.h"
@@ -49,7 +50,8 @@ static weft_surface_point point_on(Surface surface, double u, double v)
     const float tangent[3] = {0.8f, 0, 0.6f}, bitangent[3] = {0.36f, 0.8f, -0.48f};
     memcpy(point.tangent, tangent, sizeof tangent);
     memcpy(point.bitangent, bitangent, sizeof bitangent);
-    for (int axis = 0; axis < 3; ++axis) point.position[axis] = 100 * (u * (double)tangent[axis] + v * (double)bitangent[axis]) - 50;
+    for (int axis = 0; axis < 3; ++axis)
+        point.position[axis] = 100 * (u * (double)tangent[axis] + v * (double)bitangent[axis]) - 50;
     return point;
 }
 
@@ -63,7 +65,8 @@ static void mean_and_variance(void **state)
 {
     (void)state;
     static const char *const mean_name[] = {"mean on the plane", "mean on the sphere", "mean on the torus"};
-    static const char *const variance_name[] = {"variance on the plane", "variance on the sphere", "variance on the torus"};
+    static const char *const variance_name[] = {"variance on the plane", "variance on the sphere",
+                                                "variance on the torus"};
     for (int surface = PLANE; surface <= TORUS; ++surface) {
         Random random = {(uint64_t)surface};
         Estimate mean[CHANNELS] = {{0, 0, 0}}, variance[CHANNELS] = {{0, 0, 0}};
@@ -88,7 +91,8 @@ static void mean_and_variance(void **state)
         for (int c = 0; c < CHANNELS; ++c) {
             const double deviation = (double)info.deviation[c];
             assert_expected(&mean[c], 0, 0.2 * deviation, mean_name[surface], c);
-            assert_expected(&variance[c], deviation * deviation, 0.3 * deviation * deviation, variance_name[surface], c);
+            assert_expected(&variance[c], deviation * deviation, 0.3 * deviation * deviation, variance_name[surface],
+                            c);
         }
     }
 }
@@ -105,8 +109,10 @@ static void continuous_in_frame_and_place(void **state)
         const double u = 6.28 * random_unit(&random), v = 2 * random_unit(&random) - 1, turn = 1e-4;
         points[0] = points[1] = point_on(SPHERE, u, v);
         for (int axis = 0; axis < 3; ++axis) {
-            points[1].tangent[axis] = (float)(cos(turn) * (double)points[0].tangent[axis] + sin(turn) * (double)points[0].bitangent[axis]);
-            points[1].bitangent[axis] = (float)(cos(turn) * (double)points[0].bitangent[axis] - sin(turn) * (double)points[0].tangent[axis]);
+            points[1].tangent[axis] =
+                (float)(cos(turn) * (double)points[0].tangent[axis] + sin(turn) * (double)points[0].bitangent[axis]);
+            points[1].bitangent[axis] =
+                (float)(cos(turn) * (double)points[0].bitangent[axis] - sin(turn) * (double)points[0].tangent[axis]);
         }
         points[2] = point_on(SPHERE, u, v + turn / 10);
         assert_ok(weft_texture_sample_surface(texture, 3, points, out));
@@ -124,8 +130,8 @@ static void devices_agree(void **state)
     (void)state;
     char names[MOST_DEVICES][64];
     const uint32_t count = usable_devices(names, 1);
-    const weft_interpolation interpolations[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST, WEFT_INTERPOLATION_CUBIC,
-                                                 WEFT_INTERPOLATION_QUINTIC};
+    const weft_interpolation interpolations[] = {WEFT_INTERPOLATION_LINEAR, WEFT_INTERPOLATION_NEAREST,
+                                                 WEFT_INTERPOLATION_CUBIC, WEFT_INTERPOLATION_QUINTIC};
     static weft_surface_point points[COUNT];
     static float expected[COUNT * 16], out[COUNT * 16];
     for (uint32_t i = 0; i < 5; ++i) {
@@ -142,9 +148,11 @@ static void devices_agree(void **state)
             memset(out, 0xff, sizeof out);
             assert_ok(weft_texture_sample_surface(texture, COUNT, points, out));
             if (d == 0) memcpy(expected, out, sizeof out);
-            if (memcmp(out, expected, sizeof *out * COUNT * channels) != 0) print_error("%s, %u channels\n", names[d], channels);
+            if (memcmp(out, expected, sizeof *out * COUNT * channels) != 0)
+                print_error("%s, %u channels\n", names[d], channels);
             assert_memory_equal(out, expected, sizeof *out * COUNT * channels);
-            for (int k = 0; k < COUNT; k += 7) assert_ok(weft_texture_sample_surface(texture, 1, points + k, out + (size_t)k * channels));
+            for (int k = 0; k < COUNT; k += 7)
+                assert_ok(weft_texture_sample_surface(texture, 1, points + k, out + (size_t)k * channels));
             assert_memory_equal(out, expected, sizeof *out * COUNT * channels);
             weft_texture_free(texture);
             weft_context_free(there);
@@ -164,7 +172,9 @@ static const char *spoil(weft_surface_point *point, int i)
     case 5: point->bitangent[2] = NAN; return "bitangent";
     case 6: point->bitangent[0] += 0.1f; return "bitangent";
     case 7: memcpy(point->bitangent, point->tangent, sizeof point->tangent); return "orthogonal";
-    case 8: for (int axis = 0; axis < 3; ++axis) point->tangent[axis] *= 2; return "tangent";
+    case 8:
+        for (int axis = 0; axis < 3; ++axis) point->tangent[axis] *= 2;
+        return "tangent";
     case 9: point->tangent[0] = INFINITY; return "tangent";
     default: return NULL;
     }
@@ -217,7 +227,8 @@ static void wrong_solid_points(void **state)
     }
     weft_solid_point newer = good;
     newer.zero = 1;
-    assert_refused(weft_texture_sample_solid(texture, 1, &newer, out), WEFT_ERROR_UNSUPPORTED, function, "points[0].zero");
+    assert_refused(weft_texture_sample_solid(texture, 1, &newer, out), WEFT_ERROR_UNSUPPORTED, function,
+                   "points[0].zero");
     REFUSED(weft_texture_sample_solid(NULL, 1, &good, out), function, "texture");
     REFUSED(weft_texture_sample_solid(texture, 1, NULL, out), function, "points");
     REFUSED(weft_texture_sample_solid(texture, 1, &good, NULL), function, "out");
@@ -234,7 +245,8 @@ static void wrong_textures(void **state)
     weft_model *noise = new_wavelet(context, &wavelet), *picture = new_picture(context, 8, 8, CHANNELS, 1);
     weft_texture *of_texton = new_texture(context, model, 0, 0, 0), *of_noise = new_texture(context, noise, 0, 0, 0);
     weft_texture *of_picture = new_texture(context, picture, 0, 0, 0);
-    weft_texture *texton_period = new_texture(context, model, 0, 0, 64), *noise_period = new_texture(context, noise, 0, 0, 64);
+    weft_texture *texton_period = new_texture(context, model, 0, 0, 64),
+                 *noise_period = new_texture(context, noise, 0, 0, 64);
     const weft_surface_point point = point_on(SPHERE, 1, 1);
     const weft_solid_point solid = {{1, 2, 3}, 1, 0};
     float out[CHANNELS] = {7, 7, 7};
@@ -252,7 +264,8 @@ static void wrong_textures(void **state)
         weft_texture_options options = WEFT_TEXTURE_OPTIONS_INIT;
         weft_texture *texture;
         options.impacts = impacts[i];
-        REFUSED_HANDLE(weft_texture_create(context, model, &options, &texture), texture, WEFT_ERROR_ARGUMENT, "weft_texture_create", "impacts");
+        REFUSED_HANDLE(weft_texture_create(context, model, &options, &texture), texture, WEFT_ERROR_ARGUMENT,
+                       "weft_texture_create", "impacts");
     }
     weft_texture_free(of_texton);
     weft_texture_free(of_noise);

@@ -166,7 +166,8 @@ static void wrong_analyses(void **state)
     Bad_view bad[MOST_BAD_VIEWS];
     const uint32_t count = bad_views(&photo, bad);
     for (uint32_t i = 0; i < count; ++i)
-        REFUSED_HANDLE(weft_analyze_wavelet(context, &bad[i].image, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT, function, bad[i].word);
+        REFUSED_HANDLE(weft_analyze_wavelet(context, &bad[i].image, NULL, NULL, NULL, &model), model,
+                       WEFT_ERROR_ARGUMENT, function, bad[i].word);
     for (int i = 0; i < 5; ++i) {
         weft_wavelet_options options = fresh;
         const char *word = "";
@@ -177,15 +178,19 @@ static void wrong_analyses(void **state)
         case 3: options.tone_knots = 33, word = "knots"; break;
         default: options.gaussian = 2, word = "gaussian"; break;
         }
-        REFUSED_HANDLE(weft_analyze_wavelet(context, &photo, &options, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT, function, word);
+        REFUSED_HANDLE(weft_analyze_wavelet(context, &photo, &options, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT,
+                       function, word);
     }
     weft_image small = photo;
     small.height = 7;
-    REFUSED_HANDLE(weft_analyze_wavelet(context, &small, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT, function, "7");
-    REFUSED_HANDLE(weft_analyze_wavelet(NULL, &photo, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT, function, "context");
+    REFUSED_HANDLE(weft_analyze_wavelet(context, &small, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT,
+                   function, "7");
+    REFUSED_HANDLE(weft_analyze_wavelet(NULL, &photo, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT, function,
+                   "context");
     REFUSED(weft_analyze_wavelet(context, &photo, NULL, NULL, NULL, NULL), function, "model");
     values(&photo)[100] = NAN;
-    REFUSED_HANDLE(weft_analyze_wavelet(context, &photo, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT, function, "photo");
+    REFUSED_HANDLE(weft_analyze_wavelet(context, &photo, NULL, NULL, NULL, &model), model, WEFT_ERROR_ARGUMENT,
+                   function, "photo");
     free_image(&photo);
 }
 

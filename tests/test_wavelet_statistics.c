@@ -85,14 +85,16 @@ static void variance_in_space(void **state)
     }
 }
 
-/* Figure 3 of the paper: a band's power lies in its octave, max(|fx|, |fy|) within 2^-(b+2)..2^-(b+1), and its neighbours. */
+/* Figure 3 of the paper: a band's power lies in its octave, max(|fx|, |fy|) within 2^-(b+2)..2^-(b+1), and its
+ * neighbours. */
 static void bands_keep_to_their_octaves(void **state)
 {
     (void)state;
     enum { SIDE = 512 };
     for (uint32_t band = 0; band < 5; ++band) {
         weft_texture *texture = new_band(band, 0.2f, 77 + band);
-        weft_image image = rendered(texture, 0, 0, 0, SIDE, SIDE, 1), spectrum = new_image(SIDE, SIDE, 1, WEFT_FORMAT_F32);
+        weft_image image = rendered(texture, 0, 0, 0, SIDE, SIDE, 1),
+                   spectrum = new_image(SIDE, SIDE, 1, WEFT_FORMAT_F32);
         assert_ok(weft_power_spectrum(context, &image, &spectrum));
         const double low = ldexp(SIDE, -(int)band - 3), high = ldexp(SIDE, -(int)band);
         double all = 0, inside = 0, own = 0;
@@ -104,7 +106,8 @@ static void bands_keep_to_their_octaves(void **state)
                 if (f >= low && f <= high) inside += power;
                 if (f >= 2 * low && f <= high / 2) own += power;
             }
-        if (!(all - inside < 0.02 * all)) print_error("band %u: %g of the power is elsewhere\n", band, 1 - inside / all);
+        if (!(all - inside < 0.02 * all))
+            print_error("band %u: %g of the power is elsewhere\n", band, 1 - inside / all);
         assert_true(all - inside < 0.02 * all);
         assert_true(own > 0.5 * all);
         free_image(&spectrum);
@@ -183,8 +186,8 @@ static void filtering_errors(const weft_texture *texture, float size, double *fi
     *bare = sqrt(*bare);
 }
 
-/* Bands fade as whole octaves and a box does not, so there is an error: below a quarter of the noise's own deviation, and
- * below two thirds of what a bare sample is off. */
+/* Bands fade as whole octaves and a box does not, so there is an error: below a quarter of the noise's own deviation,
+ * and below two thirds of what a bare sample is off. */
 static void filtering_against_supersampling(void **state)
 {
     (void)state;
@@ -198,7 +201,8 @@ static void filtering_against_supersampling(void **state)
         double filtered, bare;
         filtering_errors(texture, sizes[i], &filtered, &bare);
         if (!(filtered < deviation / 4 && filtered < bare * 2 / 3))
-            print_error("footprint %g: off by %g filtered, %g bare, of %g\n", (double)sizes[i], filtered, bare, deviation);
+            print_error("footprint %g: off by %g filtered, %g bare, of %g\n", (double)sizes[i], filtered, bare,
+                        deviation);
         assert_true(filtered < deviation / 4);
         assert_true(filtered < bare * 2 / 3);
     }

@@ -23,10 +23,12 @@ static void set_random_axes(weft_wavelet *wavelet, Random *random)
         square += normal[c] * normal[c];
     }
     for (uint32_t p = 0; p < wavelet->channels; ++p)
-        for (uint32_t o = 0; o < wavelet->channels; ++o) wavelet->axes[p][o] = (float)((p == o) - 2 * normal[p] * normal[o] / square);
+        for (uint32_t o = 0; o < wavelet->channels; ++o)
+            wavelet->axes[p][o] = (float)((p == o) - 2 * normal[p] * normal[o] / square);
 }
 
-/* Knots from -0.4 to 0.4, rising unevenly; slopes as small as the flatter neighbour's secant, so that the curve rises. */
+/* Knots from -0.4 to 0.4, rising unevenly; slopes as small as the flatter neighbour's secant, so that the curve rises.
+ */
 static void set_random_tones(weft_wavelet *wavelet, uint32_t axis, Random *random)
 {
     const uint32_t knots = wavelet->knots;

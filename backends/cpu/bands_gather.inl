@@ -63,10 +63,7 @@ inline Parity parity_of(const weft_spot* const* at, uint32_t axis, uint32_t band
     return parity;
 }
 
-inline Vector either(const Mask& mask, const Vector& yes, const Vector& no)
-{
-    return reinterpret_cast<Vector>((reinterpret_cast<Mask>(yes) & mask) | (reinterpret_cast<Mask>(no) & ~mask));
-}
+inline Vector either(const Mask& mask, const Vector& yes, const Vector& no) { return mask ? yes : no; }
 
 /// weft_refine_even and weft_refine_odd of three vectors; sums do not depend on the order of two terms.
 inline void refine_lines(const Parity& parity, Vector& a, Vector& b, Vector& c)
@@ -121,15 +118,38 @@ template <uint32_t axes> inline int64_t first_of(const Lattice& lattice, const i
     return axes > 2 ? first[2] * lattice.slice + in_slice : in_slice;
 }
 
-/// c = weight * lattice + c, of three rows.
-inline void add_coefficients(const Lattice& lattice, const int64_t (*cell)[3], const Vector& weight, Vector* c)
+/// Where the lattices of a band are read, for each plane and spot.
+struct Sources {
+    const float* from[most_planes][spots];
+};
+
+/// Finds the first coefficients, and asks early for all that are needed: lattices do not stay in the nearest caches.
+template <uint32_t axes> inline void find_sources(const Bands& bands, const Lanes& at, uint32_t band, Sources& sources)
 {
-    const float* from[spots];
-    for (uint32_t s = 0; s < spots; ++s) from[s] = lattice.data + first_of<2>(lattice, cell[s]);
+    int64_t cell[spots][3];
+    for (uint32_t s = 0; s < spots; ++s)
+        for (uint32_t a = 0; a < 3; ++a) cell[s][a] = weft_band_cell(at.at[s]->cell[a], band);
+    for (uint32_t p = 0; p < bands.planes; ++p) {
+        const Lattice& lattice = bands.lattices[size_t(band) * bands.planes + p];
+        if (!lattice.data) continue;
+        for (uint32_t s = 0; s < spots; ++s) {
+            const float* from = lattice.data + first_of<axes>(lattice, cell[s]);
+            sources.from[p][s] = from;
+#pragma GCC unroll 9
+            for (uint32_t y = 0; y < (axes > 2 ? 9 : 3); ++y)
+                __builtin_prefetch(from + y / 3 * lattice.slice + y % 3 * lattice.row);
+        }
+    }
+}
+
+/// c = weight * lattice + c, of three rows.
+inline void add_coefficients(const Lattice& lattice, const float* const* from, const Vector& weight, Vector* c)
+{
 #pragma GCC unroll 3
     for (uint32_t y = 0; y < 3; ++y) {
-        c[y] = weight * load_spots(from) + c[y];
-        for (uint32_t s = 0; s < spots; ++s) from[s] += lattice.row;
+        const float* row[spots];
+        for (uint32_t s = 0; s < spots; ++s) row[s] = from[s] + y * lattice.row;
+        c[y] = weight * load_spots(row) + c[y];
     }
 }
 
@@ -162,11 +182,11 @@ struct Spline_lanes {
 void bands_in_plane(const Bands& bands, const Lanes& at, uint32_t count, float* f, size_t pitch)
 {
     Vector c[most_planes * 3];
+    Sources sources[2]; // of even and of odd bands
     for (uint32_t i = 0; i < bands.planes * 3; ++i) c[i] = Vector{};
+    find_sources<2>(bands, at, bands.count - 1, sources[(bands.count - 1) & 1]);
     for (uint32_t b = bands.count; b-- > at.level;) {
-        int64_t cell[spots][3];
-        for (uint32_t s = 0; s < spots; ++s)
-            for (uint32_t a = 0; a < 2; ++a) cell[s][a] = weft_band_cell(at.at[s]->cell[a], b);
+        if (b > at.level) find_sources<2>(bands, at, b - 1, sources[(b - 1) & 1]);
         const Parity x = for_lanes(parity_of(at.at, 0, b)), y = parity_of(at.at, 1, b);
         for (uint32_t p = 0; p < bands.planes; ++p) {
             const Lattice& lattice = bands.lattices[size_t(b) * bands.planes + p];
@@ -175,13 +195,13 @@ void bands_in_plane(const Bands& bands, const Lanes& at, uint32_t count, float* 
                 refine_lines(y, v[0], v[1], v[2]);
                 for (uint32_t i = 0; i < 3; ++i) v[i] = refine_lanes(x, v[i]);
             }
-            if (lattice.data) add_coefficients(lattice, cell, at.weight(lattice, b), v);
+            if (lattice.data) add_coefficients(lattice, sources[b & 1].from[p], at.weight(lattice, b), v);
             for (uint32_t i = 0; i < 3; ++i) c[3 * p + i] = v[i];
         }
     }
     const Spline_lanes spline(at);
     for (uint32_t p = 0; p < bands.planes; ++p) {
         const Vector value = spline.f(c + p * 3);
-        for (uint32_t s = 0; s < count; ++s) f[s * pitch + p] = value[4 * s];
+        for (uint32_t s = 0; s < count; ++s) f[p * pitch + s] = value[4 * s];
     }
 }

@@ -67,7 +67,7 @@ struct Seen {
     uint32_t level; ///< at most the number of bands
 };
 
-void bands_in_plane(const Bands& bands, const Seen& seen, float* f)
+void bands_in_plane(const Bands& bands, const Seen& seen, float* f, size_t pitch)
 {
     weft_quadratic weights[2] = {};
     if (seen.level < bands.count) seen.find_weights(seen.level, 2, weights);
@@ -81,7 +81,7 @@ void bands_in_plane(const Bands& bands, const Seen& seen, float* f)
             if (lattice.data) add_coefficients(lattice, seen.weight(lattice, b), cell, c);
         }
         for (uint32_t y = 0; y < 3; ++y) c[y] = spline_three(weights[0], c + 3 * y, 1);
-        f[p] = spline_three(weights[1], c, 1);
+        f[p * pitch] = spline_three(weights[1], c, 1);
     }
 }
 
@@ -98,7 +98,7 @@ float sum_column(const Lattice& lattice, const Indices& indices, uint32_t i, con
     return spline_three(weights[1], u, 1);
 }
 
-void bands_in_space(const Bands& bands, const Seen& seen, float* f)
+void bands_in_space(const Bands& bands, const Seen& seen, float* f, size_t pitch)
 {
     float sums[most_planes][3] = {{0}};
     for (uint32_t b = bands.count; b-- > seen.level;) {
@@ -116,7 +116,7 @@ void bands_in_space(const Bands& bands, const Seen& seen, float* f)
                 sums[p][i] = weft_band_add(x[i] * weight, sum_column(lattice, indices, i, weights), sums[p][i]);
         }
     }
-    for (uint32_t p = 0; p < bands.planes; ++p) f[p] = sums[p][0] + (sums[p][1] + sums[p][2]);
+    for (uint32_t p = 0; p < bands.planes; ++p) f[p * pitch] = sums[p][0] + (sums[p][1] + sums[p][2]);
 }
 
 void bands_spots(const Bands& bands, uint32_t axes, const weft_spot* spots, uint32_t count, float* f, size_t pitch)
@@ -124,8 +124,8 @@ void bands_spots(const Bands& bands, uint32_t axes, const weft_spot* spots, uint
     for (uint32_t i = 0; i < count; ++i) {
         const Seen seen(bands, spots[i]);
         if (axes == 3)
-            bands_in_space(bands, seen, f + i * pitch);
+            bands_in_space(bands, seen, f + i, pitch);
         else
-            bands_in_plane(bands, seen, f + i * pitch);
+            bands_in_plane(bands, seen, f + i, pitch);
     }
 }

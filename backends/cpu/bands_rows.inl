@@ -75,6 +75,7 @@ void refine(const Refine& r, float* __restrict row)
         if (r.lattice) { // a row is longer than its size by two vectors at least
             first = same(r.weight) * load(r.lattice + k) + first;
             second = same(r.weight) * load(r.lattice + k + lanes) + second;
+            __builtin_prefetch(r.lattice + k + r.size + overrun); // in the next row
             k += 2 * lanes;
             if (k >= r.size) k = r.size >= 2 * lanes ? k - r.size : k % r.size;
         }

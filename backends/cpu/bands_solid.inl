@@ -6,15 +6,13 @@
 
 typedef uint64_t Axes __attribute__((vector_size(32))); ///< of one spot
 
-/// Spots as fixed point numbers with 24 bits of fraction, and their pixels.
+/// Spots as fixed point numbers with 24 bits of fraction.
 struct Solid_spots {
     explicit Solid_spots(const Lanes& at)
     {
         for (uint32_t s = 0; s < spots; ++s)
-            for (uint32_t a = 0; a < 3; ++a) {
-                pixel[s][a] = uint64_t(at.at[s]->cell[a]);
-                fixed[s][a] = (pixel[s][a] << WEFT_FRACTION_BITS) + at.at[s]->fraction[a];
-            }
+            for (uint32_t a = 0; a < 3; ++a)
+                fixed[s][a] = (uint64_t(at.at[s]->cell[a]) << WEFT_FRACTION_BITS) + at.at[s]->fraction[a];
     }
 
     /// weft_band_place of three axes.
@@ -25,7 +23,7 @@ struct Solid_spots {
         return __builtin_convertvector(__builtin_convertvector(bits, Whole4), Quad) * WEFT_FRACTION_UNIT;
     }
 
-    Axes pixel[spots]{}, fixed[spots]{};
+    Axes fixed[spots]{};
 };
 
 /// Weights of the spline in one band: of x side by side, of y and z each in all lanes of its spot.
@@ -60,30 +58,6 @@ struct Solid_weights {
     Vector x, y[3], z[3];
 };
 
-/// Where the lattices of a band are read, for each plane and spot.
-struct Sources {
-    const float* from[most_planes][spots];
-};
-
-/// Finds the first coefficients, and asks early for all that are needed: lattices of solids do not stay in the nearest
-/// caches.
-inline void find_sources(const Lattice* lattices, uint32_t planes, const Solid_spots& at, uint32_t band, Sources& sources)
-{
-    int64_t cell[spots][3];
-    for (uint32_t s = 0; s < spots; ++s)
-        for (uint32_t a = 0; a < 3; ++a) cell[s][a] = weft_band_cell(int64_t(at.pixel[s][a]), band);
-    for (uint32_t p = 0; p < planes; ++p) {
-        const Lattice& lattice = lattices[p];
-        if (!lattice.data) continue;
-        for (uint32_t s = 0; s < spots; ++s) {
-            const float* from = lattice.data + first_of<3>(lattice, cell[s]);
-            sources.from[p][s] = from;
-#pragma GCC unroll 9
-            for (uint32_t y = 0; y < 9; ++y) __builtin_prefetch(from + y / 3 * lattice.slice + y % 3 * lattice.row);
-        }
-    }
-}
-
 /// The sums along z and then y of each column.
 inline Vector sum_columns(const Lattice& lattice, const float* const* from, const Solid_weights& w)
 {
@@ -107,15 +81,13 @@ void bands_in_space(const Bands& bands, const Lanes& at, uint32_t count, float* 
     Vector sums[most_planes];
     Sources sources[2]; // of even and of odd bands
     const Solid_spots positions(at);
-    const auto lattices_of = [&](uint32_t b) { return bands.lattices + size_t(b) * bands.planes; };
-    const auto find = [&](uint32_t b) { find_sources(lattices_of(b), bands.planes, positions, b, sources[b & 1]); };
     for (uint32_t p = 0; p < bands.planes; ++p) sums[p] = Vector{};
-    find(bands.count - 1);
+    find_sources<3>(bands, at, bands.count - 1, sources[(bands.count - 1) & 1]);
     for (uint32_t b = bands.count; b-- > at.level;) {
-        if (b > at.level) find(b - 1);
+        if (b > at.level) find_sources<3>(bands, at, b - 1, sources[(b - 1) & 1]);
         const Solid_weights weights(positions, b);
         for (uint32_t p = 0; p < bands.planes; ++p) {
-            const Lattice& lattice = lattices_of(b)[p];
+            const Lattice& lattice = bands.lattices[size_t(b) * bands.planes + p];
             if (!lattice.data) continue;
             const Vector v = sum_columns(lattice, sources[b & 1].from[p], weights);
             sums[p] = weights.x * at.weight(lattice, b) * v + sums[p];
@@ -123,12 +95,12 @@ void bands_in_space(const Bands& bands, const Lanes& at, uint32_t count, float* 
     }
     for (uint32_t p = 0; p < bands.planes; ++p)
         for (uint32_t s = 0; s < count; ++s)
-            f[s * pitch + p] = sums[p][4 * s] + (sums[p][4 * s + 1] + sums[p][4 * s + 2]);
+            f[p * pitch + s] = sums[p][4 * s] + (sums[p][4 * s + 1] + sums[p][4 * s + 2]);
 }
 
 void bands_spots(const Bands& bands, uint32_t axes, const weft_spot* from, uint32_t count, float* f, size_t pitch)
 {
-    for (uint32_t i = 0, n = 0; i < count; i += n, f += n * pitch) {
+    for (uint32_t i = 0, n = 0; i < count; i += n, f += n) {
         Lanes at;
         at.level = uint32_t(weft_level(from[i].level).whole);
         at.whole = true;
@@ -142,7 +114,7 @@ void bands_spots(const Bands& bands, uint32_t axes, const weft_spot* from, uint3
         }
         for (uint32_t s = n; s < spots; ++s) at.at[s] = from + i;
         if (at.level >= bands.count)
-            for (uint32_t j = 0; j < n * bands.planes; ++j) f[j / bands.planes * pitch + j % bands.planes] = 0.0f;
+            for (uint32_t j = 0; j < n * bands.planes; ++j) f[j / n * pitch + j % n] = 0.0f;
         else if (axes == 3)
             bands_in_space(bands, at, n, f, pitch);
         else

@@ -170,7 +170,7 @@ void Painter::evaluate(uint32_t index, uint32_t first, uint32_t count)
         for (size_t i = 0; i < size_t(stride_) * count * source.planes; ++i) strip.data[i] = 0.0f;
     if (!source.tones) return;
     for (uint32_t row = 0; row < source.channels * count; ++row)
-        texture_.rows->tone(source.tones[row / count], block_.width, strip.data + size_t(row) * stride_);
+        texture_.rows->tone(layer.tones.data()[row / count], block_.width, strip.data + size_t(row) * stride_);
 }
 
 /// The plane of a strip of `count` rows that a reference means; null: none.
@@ -206,15 +206,19 @@ bool Painter::shows(const float* mask, uint32_t count) const
 void Painter::mix(const Layer& layer, const float* f, const float* mask, uint32_t first, uint32_t count)
 {
     const weft_layer& source = *layer.source;
-    const uint32_t channels = texture_.program->channels;
-    for (uint32_t y = 0; y < count; ++y)
-        for (uint32_t o = 0; o < channels; ++o) {
-            const Mixture mixture = {fresh_,          f + size_t(y) * stride_,
-                                     stride_ * count, source.channels,
-                                     block_.width,    source.colour + size_t(o) * source.channels,
-                                     source.mean[o],  mask ? mask + size_t(y) * stride_ : nullptr};
-            texture_.rows->mix(mixture, row(o, first + y));
-        }
+    for (uint32_t y = 0; y < count; ++y) {
+        const Mixture mixture = {fresh_,
+                                 texture_.program->channels,
+                                 source.channels,
+                                 block_.width,
+                                 f + size_t(y) * stride_,
+                                 size_t(stride_) * count,
+                                 size_t(window_.height) * window_.stride,
+                                 source.colour,
+                                 source.mean,
+                                 mask ? mask + size_t(y) * stride_ : nullptr};
+        texture_.rows->mix(mixture, row(0, first + y));
+    }
 }
 
 void Painter::strip(uint32_t first, uint32_t count)

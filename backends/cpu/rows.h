@@ -7,7 +7,7 @@
 
 namespace weft {
 
-constexpr uint32_t most_bands = 24, most_spots = 4, most_planes = 40;
+constexpr uint32_t most_bands = 24, most_spots = 8, most_planes = 40, most_results = 16, most_pieces = 64;
 
 /// One level of textons, laid out for a table's kernels. Texels within `data` but outside width x height are zero.
 struct Texels {
@@ -133,14 +133,22 @@ struct Columns {
     uint32_t run_count;
 };
 
-/// One result channel of a layer: out = mask * (sum of colour * f + mean) + out, where `fresh` means that out is +0.
+/// A tone curve as tables. After the last piece x is NaN, which no value reaches, and coefficients are 0.
+struct alignas(64) Tone {
+    float x[most_pieces], c[4][most_pieces];
+    float low, high;
+    uint32_t count;
+};
+
+/// What a layer adds to the result channels: out = mask * (sum of colour * f + mean) + out, where `fresh` means that
+/// out is +0.
 struct Mixture {
     bool fresh;
+    uint32_t results, channels, width;
     const float* f; ///< channel c at f + c * plane
-    uint32_t plane, channels, width;
-    const float* colour;
-    float mean;
-    const float* mask; ///< null: 1
+    size_t plane, result_plane;
+    const float *colour, *mean; ///< results * channels; results
+    const float* mask;          ///< null: 1
 };
 
 struct Rows {
@@ -148,7 +156,6 @@ struct Rows {
     uint32_t apron_rows;   ///< ... above and below every image
     uint32_t strip_height; ///< rows of a strip, liked best
     uint32_t interleaved;  ///< 1: points want texels of four planes side by side, and lattices are padded
-    uint32_t spots;        ///< bands_spots takes so many at once, at most most_spots
 
     /// Bytes of scratch that splat_strip needs for that many impacts.
     size_t (*scratch)(uint32_t impacts, uint32_t width, uint32_t taps);
@@ -165,7 +172,7 @@ struct Rows {
     void (*refine)(const Refine& refine, float* row);
     void (*spline_row)(const float* coefficients, size_t width, float* row);
     void (*spline_rows)(const float* upper, const float* middle, const float* lower, size_t width, float* row);
-    /// f of all planes at up to `spots` spots in the plane (2 axes) or in space (3), those of spot i at f + i * pitch.
+    /// f of all planes at spots in the plane (2 axes) or in space (3), those of plane p at f + p * pitch.
     void (*bands_spots)(const Bands& bands, uint32_t axes, const weft_spot* spots, uint32_t count, float* f,
                         size_t pitch);
 
@@ -175,7 +182,7 @@ struct Rows {
     void (*expand)(const float* texels, const Columns& columns, float* row);
     /// row = t (b - a) + a, also where t is 0.
     void (*lerp)(const float* a, const float* b, float t, uint32_t width, float* row);
-    void (*tone)(const weft_tone& tone, uint32_t width, float* row);
+    void (*tone)(const Tone& tone, uint32_t width, float* row);
     void (*multiply)(const float* a, const float* b, uint32_t width, float* row);
     void (*mix)(const Mixture& mixture, float* out);
 };

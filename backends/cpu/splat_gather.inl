@@ -205,7 +205,7 @@ struct Positions {
 constexpr Positions positions;
 
 /// Lists the candidates that reach, eight at a time, so that no step waits for each flag in turn.
-inline uint32_t list_hits(Candidates& c)
+template <class Listed> inline uint32_t list_hits(Listed& c)
 {
     clear_chunk(c.reaches + c.count);
     uint32_t hits = 0;

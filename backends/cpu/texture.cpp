@@ -182,7 +182,7 @@ bool open_splat(weft_backend_texture& texture, Layer& layer)
         const Layer& chosen = texture.layers[splat.choice.layer];
         const bool toned = chosen.source->tones && splat.choice.plane < chosen.source->channels;
         layer.choice = {
-            texture.rows,         &chosen.tile,          toned ? chosen.source->tones + splat.choice.plane : nullptr,
+            texture.rows,         &chosen.tile,          toned ? chosen.tones.data() + splat.choice.plane : nullptr,
             splat.choice.plane,   splat.textons->images, splat.textons->width,
             splat.textons->height};
         layer.splat.choose = choose;
@@ -204,6 +204,32 @@ bool open_tile(weft_backend_texture& texture, Layer& layer)
                                             layer.texels, layer.tile.composed);
 }
 
+Tone tone_of(const weft_tone& source)
+{
+    Tone tone;
+    tone.low = source.low;
+    tone.high = source.high;
+    tone.count = source.count;
+    for (uint32_t k = 0; k < most_pieces; ++k) {
+        const weft_piece none = {__builtin_nanf(""), 0, 0, 0, 0};
+        const weft_piece& piece = k < source.count ? source.pieces[k] : none;
+        tone.x[k] = piece.x;
+        tone.c[0][k] = piece.c0;
+        tone.c[1][k] = piece.c1;
+        tone.c[2][k] = piece.c2;
+        tone.c[3][k] = piece.c3;
+    }
+    return tone;
+}
+
+bool open_tones(Layer& layer)
+{
+    if (!layer.source->tones || layer.source->channels == 0) return true;
+    if (!layer.tones.reserve(layer.source->channels)) return false;
+    for (uint32_t c = 0; c < layer.source->channels; ++c) layer.tones.data()[c] = tone_of(layer.source->tones[c]);
+    return true;
+}
+
 bool open_layer(weft_backend_texture& texture, uint32_t index)
 {
     const weft_program& program = *texture.program;
@@ -213,6 +239,7 @@ bool open_layer(weft_backend_texture& texture, uint32_t index)
     if (layer.masked) texture.layers[mask.layer].referred = true;
     const int32_t moved = layer.source->tile ? layer.source->tile->displacement.layer : -1;
     if (moved >= 0) texture.layers[moved].referred = true;
+    if (!open_tones(layer)) return false;
     if (layer.source->kind == WEFT_LAYER_SPLAT) return open_splat(texture, layer);
     if (layer.source->kind == WEFT_LAYER_BANDS)
         return open_bands(*layer.source, program.use, texture.rows->interleaved != 0, layer.lattices, layer.data,
@@ -254,6 +281,7 @@ weft_status texture_open(weft_backend_device* device, const weft_program* progra
     for (uint32_t i = 0; i < program->layer_count; ++i) {
         made->layers[i].source = program->layers[i];
         made->layers[i].data.use(host);
+        made->layers[i].tones.use(host);
         made->layers[i].lattices.use(host);
         made->layers[i].composed_data.use(host);
         if (open_layer(*made, i)) continue;

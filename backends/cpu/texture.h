@@ -21,7 +21,7 @@ constexpr uint32_t most_layers = 32, most_levels = 15;
 struct Choice {
     const Rows* rows;
     const Tile* tile;
-    const weft_tone* tone; ///< null: none
+    const Tone* tone; ///< null: none
     uint32_t plane, images;
     uint32_t width, height; ///< of the layer's textons
 };
@@ -34,6 +34,7 @@ struct Layer {
     Tile tile;
     Choice choice;
     Texels texels[most_levels];
+    Buffer<Tone> tones; ///< of its channels; empty: none
     Buffer<Lattice> lattices;
     Buffer<float> data; ///< what `texels` or `lattices` point into, if the kernels want copies
     Composed_data composed_data;

@@ -1,4 +1,4 @@
-/* weft bench: speed of each device on one model, beside the limits of the machine and the paper's shader, in one run.
+/* weft bench: speed of each device on one model, beside the limits of the machine and the papers' own ways, in one run.
  */
 #include "bench.h"
 #include "command.h"
@@ -19,8 +19,11 @@ static const char notes[] =
     "  by CPU     the same in processor time\n"
     "  of stores  bytes of the picture, of what the machine writes to memory\n"
     "  x gather   against the paper's shader, which draws the points anew for every pixel; on 32 rows of the window\n"
-    "Points are incoherent, in a square of 4096 pixels, without filtering; fewer than a million where that\n"
-    "takes long.";
+    "  x direct   against octaves that are splined one by one, rows first, without tone curves and colours\n"
+    "  ns/octave  nanoseconds of a solid point, by octaves and channels\n"
+    "  x paper    against the paper's loop over 27 coefficients of a cube of 128 a side\n"
+    "Points are incoherent, in a square or cube of 4096 pixels, without filtering; fewer than a million where that\n"
+    "takes long. Points in space are solid ones of wavelet noise, and on a surface of texton noise.";
 
 int command_bench(int count, char** words)
 {

@@ -8,6 +8,8 @@
 #include "numbers.h"
 #include "options.h"
 #include "yardstick.h"
+#include "yardstick_direct.h"
+#include "yardstick_solid.h"
 
 #include <weft/weft.h>
 
@@ -19,18 +21,28 @@ typedef struct bench bench;
 typedef struct limit_case {
     bench* owner;
     uint32_t threads;
-    measurement multiply_add, store[2], yardstick; /* store: plain, non-temporal */
+    measurement multiply_add, store[2]; /* store: plain, non-temporal */
+    measurement yardstick, solid;       /* of windows; of points in space, per octave and channel */
 } limit_case;
+
+/* Points of one kind on one device. */
+typedef struct point_case {
+    const struct device_case* device;
+    int in_space; /* solid points, or points on a surface */
+    uint32_t count;
+    measurement sample;
+} point_case;
 
 /* One device with one number of threads. */
 typedef struct device_case {
     bench* owner;
     weft_device_info device;
-    uint32_t threads, points;
+    uint32_t threads;
     weft_context* context;
     weft_texture* texture;
     double first_seconds; /* of the first window, with all that is done once */
-    measurement window, sample;
+    measurement window;
+    point_case plane, space;
 } device_case;
 
 struct bench {
@@ -41,10 +53,15 @@ struct bench {
     weft_model* model;
     weft_model_info info;
     multiply_add_loop multiply_add;
-    yardstick yardstick;
-    int has_yardstick; /* the model is texton noise */
+    yardstick yardstick; /* of texton noise */
+    direct_noise direct; /* of wavelet noise, as is `solid` */
+    solid_noise solid;
+    uint32_t octaves;  /* of wavelet noise, else 0 */
+    int has_yardstick; /* the model is noise */
     float *pixels, *colours;
     weft_point* places;
+    weft_solid_point* solid_places;     /* of wavelet noise */
+    weft_surface_point* surface_places; /* of texton noise */
     void *store_memory, *store;
     limit_case limits[THREAD_CASES];
     int limit_count;
@@ -60,6 +77,13 @@ void bench_add_limits(bench* b, uint32_t threads);
 
 /* Work on threads of our own; an exit code. */
 int bench_on_threads(uint32_t threads, void (*work)(void* argument, uint32_t i, uint32_t count), void* argument);
+
+/* Points of all kinds that the model has; an exit code. */
+int bench_make_points(bench* b);
+void bench_free_points(bench* b);
+
+/* Finds how many points a measurement takes, and prepares it; an exit code. */
+int bench_add_points(device_case* d);
 
 /* Measures it. */
 int bench_measure(bench* b);
@@ -78,5 +102,10 @@ double ratio_to_scalar(const bench* b, const device_case* d, bench_rate rate);
 double ratio_to_simd(const bench* b, const device_case* d, bench_rate rate); /* the best simd device */
 double ratio_to_one_thread(const bench* b, const device_case* d, bench_rate rate);
 double ratio_points_to_scalar(const bench* b, const device_case* d, bench_rate rate);
+double ratio_space_to_scalar(const bench* b, const device_case* d, bench_rate rate);
+double ratio_space_to_yardstick(const bench* b, const device_case* d, bench_rate rate); /* the code in circulation */
+
+/* Nanoseconds of a solid point per octave and channel; 0 for what is not wavelet noise. */
+double octave_time(const bench* b, const device_case* d, bench_rate rate);
 
 #endif

@@ -1,10 +1,10 @@
-/* The limits that `weft bench` measures: multiply-adds, stores, and the paper's shader. */
+/* The limits that `weft bench` measures: multiply-adds, stores, and the papers' own ways. */
 #include "bench.h"
 #include "command.h"
 #include "report.h"
 #include "threads.h"
 
-enum { YARDSTICK_ROWS = 32 };
+enum { YARDSTICK_ROWS = 32, SOLID_POINTS = 16384 };
 static const uint64_t multiply_add_rounds = 4000000;
 static const size_t store_bytes = BENCH_STORE_BYTES;
 
@@ -53,6 +53,27 @@ static void do_yardstick(void* argument, uint32_t i, uint32_t count)
                             b->pixels + ((size_t)y * b->size.width + x) * b->info.channels);
 }
 
+/* Channel by channel, a share of the rows. */
+static void do_direct(void* argument, uint32_t i, uint32_t count)
+{
+    const bench* b = ((limit_case*)argument)->owner;
+    uint32_t first = (uint32_t)((uint64_t)b->size.height * i / count),
+             end = (uint32_t)((uint64_t)b->size.height * (i + 1) / count);
+    for (uint32_t c = 0; c < b->info.channels; c++) {
+        float* out = b->pixels + ((size_t)c * b->size.height + first) * b->size.width;
+        if (direct_rows(&b->direct, b->size.width, first, end, out) != 0) b->colours[0] = -1e30f;
+    }
+}
+
+static void do_solid(void* argument, uint32_t i, uint32_t count)
+{
+    const bench* b = ((limit_case*)argument)->owner;
+    for (uint32_t k = i; k < SOLID_POINTS; k += count)
+        for (uint32_t c = 0; c < b->info.channels; c++)
+            b->colours[(size_t)k * b->info.channels + c] =
+                solid_value(&b->solid, b->octaves, b->solid_places[k].position);
+}
+
 static int run_multiply_add(void* state)
 {
     return bench_on_threads(((limit_case*)state)->threads, do_multiply_add, state);
@@ -68,7 +89,16 @@ static int run_non_temporal_store(void* state)
     return bench_on_threads(((limit_case*)state)->threads, do_non_temporal_store, state);
 }
 
-static int run_yardstick(void* state) { return bench_on_threads(((limit_case*)state)->threads, do_yardstick, state); }
+static int run_yardstick(void* state)
+{
+    const limit_case* c = state;
+    if (c->owner->octaves == 0) return bench_on_threads(c->threads, do_yardstick, state);
+    c->owner->colours[0] = 0;
+    int code = bench_on_threads(c->threads, do_direct, state);
+    return code != EXIT_FINE || c->owner->colours[0] > -1e29f ? code : failed("out of memory");
+}
+
+static int run_solid(void* state) { return bench_on_threads(((limit_case*)state)->threads, do_solid, state); }
 
 void bench_add_limits(bench* b, uint32_t threads)
 {
@@ -77,11 +107,14 @@ void bench_add_limits(bench* b, uint32_t threads)
     const measurement multiply_add = {run_multiply_add, c, b->multiply_add.lanes * rounds, 0, {0}, {0}};
     const measurement plain = {run_plain_store, c, (double)store_bytes, 0, {0}, {0}};
     const measurement non_temporal = {run_non_temporal_store, c, (double)store_bytes, 0, {0}, {0}};
-    const measurement gather = {run_yardstick, c, (double)b->size.width * yardstick_rows(b), 0, {0}, {0}};
+    const double rows = b->octaves > 0 ? b->size.height : yardstick_rows(b);
+    const measurement windows = {run_yardstick, c, (double)b->size.width * rows, 0, {0}, {0}};
+    const measurement solid = {run_solid, c, (double)SOLID_POINTS * b->octaves * b->info.channels, 0, {0}, {0}};
     c->owner = b;
     c->threads = threads;
     c->multiply_add = multiply_add;
     c->store[0] = plain;
     c->store[1] = non_temporal;
-    c->yardstick = gather;
+    c->yardstick = windows;
+    c->solid = solid;
 }

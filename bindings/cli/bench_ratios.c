@@ -67,5 +67,22 @@ double ratio_to_one_thread(const bench* b, const device_case* d, bench_rate rate
 double ratio_points_to_scalar(const bench* b, const device_case* d, bench_rate rate)
 {
     const device_case* scalar = find(b, "scalar", d->threads);
-    return scalar ? divide(rate(&d->sample), rate(&scalar->sample)) : 0;
+    return scalar ? divide(rate(&d->plane.sample), rate(&scalar->plane.sample)) : 0;
+}
+
+double ratio_space_to_scalar(const bench* b, const device_case* d, bench_rate rate)
+{
+    const device_case* scalar = find(b, "scalar", d->threads);
+    return scalar && b->has_yardstick ? divide(rate(&d->space.sample), rate(&scalar->space.sample)) : 0;
+}
+
+double ratio_space_to_yardstick(const bench* b, const device_case* d, bench_rate rate)
+{
+    if (b->octaves == 0) return 0;
+    return divide(rate(&d->space.sample) * b->octaves * b->info.channels, rate(&limits_of(b, d)->solid));
+}
+
+double octave_time(const bench* b, const device_case* d, bench_rate rate)
+{
+    return b->octaves > 0 ? divide(1e9, rate(&d->space.sample) * b->octaves * b->info.channels) : 0;
 }

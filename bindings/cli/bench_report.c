@@ -42,6 +42,7 @@ static void write_limits(json* out, const bench* b)
         write_rate(out, "plain_store_gigabytes_per_second", &c->store[0], 1e9);
         write_rate(out, "non_temporal_store_gigabytes_per_second", &c->store[1], 1e9);
         if (b->has_yardstick) write_rate(out, "yardstick_megapixels_per_second", &c->yardstick, 1e6);
+        if (b->octaves > 0) write_rate(out, "yardstick_mega_octaves_of_solids_per_second", &c->solid, 1e6);
         json_end(out);
     }
     json_end(out);
@@ -58,6 +59,9 @@ static void write_ratios(json* out, const char* key, const bench* b, const devic
     write_ratio(out, "to_simd", ratio_to_simd(b, d, rate));
     write_ratio(out, "to_one_thread", ratio_to_one_thread(b, d, rate));
     write_ratio(out, "points_to_scalar", ratio_points_to_scalar(b, d, rate));
+    write_ratio(out, "space_to_scalar", ratio_space_to_scalar(b, d, rate));
+    write_ratio(out, "space_to_yardstick", ratio_space_to_yardstick(b, d, rate));
+    write_ratio(out, "nanoseconds_per_octave_of_solids", octave_time(b, d, rate));
     json_end(out);
 }
 
@@ -69,8 +73,12 @@ static void write_device(json* out, const bench* b, const device_case* d)
     json_unsigned(out, "threads", d->threads);
     json_real(out, "first_window_seconds", d->first_seconds);
     write_rate(out, "megapixels_per_second", &d->window, 1e6);
-    json_unsigned(out, "points", d->points);
-    write_rate(out, "megapoints_per_second", &d->sample, 1e6);
+    json_unsigned(out, "points", d->plane.count);
+    write_rate(out, "megapoints_per_second", &d->plane.sample, 1e6);
+    if (b->has_yardstick) {
+        json_unsigned(out, "points_in_space", d->space.count);
+        write_rate(out, "megapoints_in_space_per_second", &d->space.sample, 1e6);
+    }
     write_ratios(out, "ratios", b, d, best_rate);
     write_ratios(out, "ratios_by_processor_time", b, d, processor_rate);
     json_end(out);
@@ -102,7 +110,10 @@ static void print_limits(const bench* b)
         const limit_case* c = &b->limits[i];
         printf("%u thread%s: %.1f G multiply-adds/s (%s), %.1f GB/s of stores", c->threads, c->threads == 1 ? "" : "s",
                best_rate(&c->multiply_add) / 1e9, b->multiply_add.name, best_store(c) / 1e9);
-        if (b->has_yardstick) printf(", %.2f Mpixel/s by the paper's gather", best_rate(&c->yardstick) / 1e6);
+        if (b->has_yardstick)
+            printf(", %.2f Mpixel/s by the paper's %s", best_rate(&c->yardstick) / 1e6,
+                   b->octaves > 0 ? "rows" : "gather");
+        if (b->octaves > 0) printf(", solids in %.1f ns per octave", 1e9 / best_rate(&c->solid));
         putchar('\n');
     }
 }
@@ -124,8 +135,16 @@ static void print_device(const bench* b, const device_case* d)
     print_ratio(ratio_to_yardstick(b, d, best_rate), 1, "", 1);
     print_ratio(ratio_to_scalar(b, d, best_rate), 1, "", 2);
     print_ratio(ratio_to_one_thread(b, d, best_rate), 1, "", 2);
-    printf(" %10.3f", best_rate(&d->sample) / 1e6);
+    printf(" %10.3f", best_rate(&d->plane.sample) / 1e6);
     print_ratio(ratio_points_to_scalar(b, d, best_rate), 1, "", 2);
+    if (b->has_yardstick) {
+        printf(" %10.3f", best_rate(&d->space.sample) / 1e6);
+        print_ratio(ratio_space_to_scalar(b, d, best_rate), 1, "", 2);
+    }
+    if (b->octaves > 0) {
+        print_ratio(octave_time(b, d, best_rate), 1, "", 1);
+        print_ratio(ratio_space_to_yardstick(b, d, best_rate), 1, "", 2);
+    }
     putchar('\n');
 }
 
@@ -133,10 +152,14 @@ void bench_write_text(const bench* b)
 {
     char size[MODEL_SIZE_ROOM];
     printf("%s: %s%s, channels %u", b->path, method_name(b->info.method), model_size(&b->info, size), b->info.channels);
-    if (b->has_yardstick) printf(", %g impacts", (double)b->impacts);
+    if (b->info.method == WEFT_METHOD_TEXTON) printf(", %g impacts", (double)b->impacts);
     printf("; window of %u x %u floats, best of %u\n", b->size.width, b->size.height, b->repetitions);
     print_limits(b);
-    printf("\n%-14s %7s %9s %9s %9s %9s %9s %9s %9s %9s %10s %9s\n", "device", "threads", "Mpixel/s", "median",
-           "of peak", "by CPU", "of stores", "x gather", "x scalar", "x 1 thr.", "Mpoint/s", "x scalar");
+    printf("\n%-14s %7s %9s %9s %9s %9s %9s %9s %9s %9s %10s %9s", "device", "threads", "Mpixel/s", "median", "of peak",
+           "by CPU", "of stores", b->octaves > 0 ? "x direct" : "x gather", "x scalar", "x 1 thr.", "Mpoint/s",
+           "x scalar");
+    if (b->has_yardstick) printf(" %10s %9s", b->octaves > 0 ? "solid M/s" : "surface M/s", "x scalar");
+    if (b->octaves > 0) printf(" %9s %9s", "ns/octave", "x paper");
+    putchar('\n');
     for (int i = 0; i < b->device_count; i++) print_device(b, &b->devices[i]);
 }

@@ -13,9 +13,10 @@ static const char notes[] =
     "The most varied principal channel is measured, the middle 512 x 512 pixels at most; 0 is what a Gaussian,\n"
     "isotropic, even texture has.\n"
     "  structure   what correlates beyond the spectrum: edges, things; noise cannot show it\n"
+    "    toned     the same once a tone curve has made the values normal\n"
     "  histogram   distance of the values from normal ones, in standard deviations\n"
     "  anisotropy  of the spectrum; 1 is a single direction\n"
-    "  unevenness  how much the contrast changes from place to place\n"
+    "  unevenness  how much contrast and brightness change from place to place\n"
     "  period      pixels after which it repeats along each axis; 0: it does not\n"
     "`weft analyze --method auto` takes the method that is named here.";
 
@@ -34,6 +35,7 @@ static void write_json(const weft_description* d)
     json_object(&out, NULL);
     json_text(&out, "method", method_name(d->method));
     json_real(&out, "structure", (double)d->structure);
+    json_real(&out, "structure_toned", (double)d->structure_toned);
     json_real(&out, "histogram", (double)d->histogram);
     json_real(&out, "anisotropy", (double)d->anisotropy);
     json_real(&out, "unevenness", (double)d->unevenness);
@@ -47,6 +49,7 @@ static void write_text(const weft_description* d)
 {
     printf("%-14s %s\n", "method", method_name(d->method));
     printf("%-14s %.4f\n", "structure", (double)d->structure);
+    printf("%-14s %.4f\n", "  toned", (double)d->structure_toned);
     printf("%-14s %.4f\n", "histogram", (double)d->histogram);
     printf("%-14s %.4f\n", "anisotropy", (double)d->anisotropy);
     printf("%-14s %.4f\n", "unevenness", (double)d->unevenness);

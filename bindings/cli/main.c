@@ -23,6 +23,7 @@ static const command commands[] = {
     {"tile", command_tile, "make a tile that repeats unseen of a photo"},
     {"apply", command_apply, "make the tile of another map of a tiled surface"},
     {"mix", command_mix, "make a model between two models"},
+    {"sheet", command_sheet, "draw a model, its texture and how close this is to the photo"},
     {"compare", command_compare, "measure how close an output is to its exemplar"},
     {"devices", command_devices, "list the devices"},
     {"bench", command_bench, "measure speed beside the machine's limits"},

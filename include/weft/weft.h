@@ -603,7 +603,8 @@ typedef struct weft_description {
   float       structure_toned; /* the same after the values were made normal by a tone curve */
   float       histogram;  /* W1 distance of the values from normal ones, in standard deviations */
   float       anisotropy; /* of the spectrum: second and fourth harmonic of power by direction; 0: isotropic, 1: one direction */
-  float       unevenness; /* standard deviation of log deviations of 8 x 8 blocks, beyond that of Gaussian textures; 0: stationary */
+  float       unevenness; /* of 8 x 8 blocks: standard deviation of their log deviations, and of their means over the whole's,
+                             beyond that of Gaussian textures; 0: stationary */
   uint32_t    period_x, period_y; /* lag of the highest peak of the autocovariance along each axis, in pixels; 0: none */
   char        reasons[256]; /* a sentence for people */
 } weft_description;

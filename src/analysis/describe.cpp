@@ -17,7 +17,7 @@ namespace {
 constexpr const char* function = "weft_describe";
 constexpr std::uint32_t least_side = 16, most_side_seen = 512, realisations = 4, blocks = 8, least_lag = 4;
 constexpr double least_peak = 0.15, least_prominence = 0.15; // of an autocovariance, relative to lag 0
-constexpr double structured = 0.16, isotropic = 0.12, normal_enough = 0.08;
+constexpr double structured = 0.16, isotropic = 0.085, normal_enough = 0.08;
 
 /// The middle of the first principal channel, at most 512 x 512 pixels of it.
 Planes middle_of(Core& core, const weft_image& photo)
@@ -66,13 +66,13 @@ double anisotropy_of(const Spectra& spectrum)
             fourth += power * square * square;
             total += power;
         }
-    return total > 0 ? std::sqrt(std::norm(second) + std::norm(fourth)) / total : 0;
+    return total > 0 ? std::sqrt((std::norm(second) + std::norm(fourth)) / 2) / total : 0;
 }
 
-/// Standard deviation of the logarithms of the blocks' deviations.
+/// Variance of the logarithms of the blocks' deviations, and share of the whole variance that the blocks' means have.
 double unevenness_of(const Planes& plane)
 {
-    double sum = 0, squares = 0;
+    double sum = 0, squares = 0, mean_squares = 0, whole = 0;
     const auto bound = [](std::uint32_t size, std::uint32_t i) { return std::size_t{size} * i / blocks; };
     for (std::uint32_t i = 0; i < blocks; ++i)
         for (std::uint32_t j = 0; j < blocks; ++j) {
@@ -84,12 +84,16 @@ double unevenness_of(const Planes& plane)
                     power += value * value;
                     ++count;
                 }
-            const double logarithm = 0.5 * std::log(std::max(power / count - mean * mean / (count * count), 1e-12));
+            mean /= count;
+            power /= count;
+            const double logarithm = 0.5 * std::log(std::max(power - mean * mean, 1e-12));
             sum += logarithm;
             squares += logarithm * logarithm;
+            mean_squares += mean * mean;
+            whole += power;
         }
     const double number = blocks * blocks;
-    return std::sqrt(std::max(squares / number - sum * sum / (number * number), 0.0));
+    return squares / number - sum * sum / (number * number) + (whole > 0 ? mean_squares / whole : 0);
 }
 
 /// The lag of the highest peak that stands out along one axis of an autocovariance whose lag 0 is 1; 0: none.
@@ -165,7 +169,7 @@ Measures measure(Core& core, const Planes& plane, double deviation, const Progre
     transform.forward(room.plane(0), other, 0);
     keep_periodic_component(core, room, other);
     result.toned = beyond_chance(moduli_correlations(core, transform, other));
-    result.unevenness = std::sqrt(std::max(own_unevenness * own_unevenness - uneven * uneven, 0.0));
+    result.unevenness = std::sqrt(std::max(own_unevenness - uneven, 0.0));
     return result;
 }
 

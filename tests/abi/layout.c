@@ -127,6 +127,17 @@ static void weft_h(void)
     FIELD(weft_solid_point, position);
     FIELD(weft_solid_point, footprint);
     FIELD(weft_solid_point, zero);
+    STRUCT(weft_description);
+    FIELD(weft_description, size);
+    FIELD(weft_description, method);
+    FIELD(weft_description, structure);
+    FIELD(weft_description, structure_toned);
+    FIELD(weft_description, histogram);
+    FIELD(weft_description, anisotropy);
+    FIELD(weft_description, unevenness);
+    FIELD(weft_description, period_x);
+    FIELD(weft_description, period_y);
+    FIELD(weft_description, reasons);
     STRUCT(weft_compare_options);
     FIELD(weft_compare_options, size);
     FIELD(weft_compare_options, zero);

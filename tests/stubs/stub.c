@@ -73,6 +73,35 @@ static void device_close(weft_backend_device *device)
     device->host->deallocate(device->host->self, device, sizeof *device, sizeof(void *));
 }
 
+#ifdef WEFT_STUB_LATTICE
+/* Mean square, over all positions, of the quadratic spline surface whose coefficients are the band's lattice, which is
+ * a torus: the spline's products at lags -2..2 in both directions. */
+static float mean_square(const weft_band *band)
+{
+    static const double product[5] = {1.0 / 120, 26.0 / 120, 66.0 / 120, 26.0 / 120, 1.0 / 120};
+    const uint32_t width = band->width, height = band->height;
+    double sum = 0;
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x)
+            for (uint32_t j = 0; j < 5; ++j)
+                for (uint32_t i = 0; i < 5; ++i) {
+                    const size_t other = (size_t)((y + height + j - 2) % height) * width + (x + width + i - 2) % width;
+                    sum += product[j] * product[i] * (double)band->lattice[(size_t)y * width + x] *
+                           (double)band->lattice[other];
+                }
+    return (float)(sum / ((double)width * height));
+}
+
+/* In place of the colours, of the first plane's coarsest band: the variance of its lattice, and what the weight makes
+ * of it. */
+static void read_lattice(const weft_layer *layer, float *mean)
+{
+    const weft_band *band = &layer->bands->bands[(size_t)(layer->bands->count - 1) * layer->planes];
+    mean[0] = mean_square(band);
+    mean[1] = mean[0] * band->weight * band->weight;
+}
+#endif
+
 static weft_status texture_open(weft_backend_device *device, const weft_program *program,
                                 weft_backend_texture **texture)
 {
@@ -87,6 +116,9 @@ static weft_status texture_open(weft_backend_device *device, const weft_program 
     made->device = device;
     made->channels = program->channels;
     for (uint32_t c = 0; c < program->channels; ++c) made->mean[c] = program->layers[0]->mean[c];
+#ifdef WEFT_STUB_LATTICE
+    if (program->layers[0]->bands && made->channels > 1) read_lattice(program->layers[0], made->mean);
+#endif
     *texture = made;
     return WEFT_OK;
 #endif
