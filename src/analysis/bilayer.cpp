@@ -131,19 +131,22 @@ public:
                       luminance_.plane(0));
     }
 
-    /// `structure` <- P in its first planes, N in `residual`: P + N is the photo, but for the rounding of one sum.
-    void part(const Regions& regions, Planes& structure, Planes& residual)
+    /// `structure`, unless it is the mean alone, <- P in its first planes, `residual` <- N: P + N is the photo, but for
+    /// the rounding of one sum.
+    void part(const Regions& regions, Planes* structure, Planes& residual)
     {
         const auto unit = static_cast<float>(1 / centring_.scale);
         for (std::size_t c = 0; c < photo_.count; ++c) {
             const float *from = photo_.plane(c), *noise = residual_.plane(c);
-            float *p = structure.plane(c), *n = residual.plane(c);
             for (std::size_t i = 0; i < photo_.area(); ++i) {
-                p[i] = regions.nearest[i] == no_cluster ? from[i] : from[i] - noise[i] * unit;
-                n[i] = from[i] - p[i];
+                const bool bare = structure && regions.nearest[i] == no_cluster;
+                const float p = bare ? from[i] : structure ? from[i] - noise[i] * unit : mean(c);
+                if (structure) structure->plane(c)[i] = p;
+                residual.plane(c)[i] = from[i] - p;
             }
         }
     }
+    float mean(std::size_t c) const noexcept { return static_cast<float>(centring_.mean[c]); }
 
 private:
     Core& core_;
@@ -174,7 +177,7 @@ Model analyze_bilayer(Core& core, const weft_image& photo, const weft_bilayer_op
         const Clusters clusters = find_clusters(core, spectra, choices.noises, choices.seed, progress.part(0.55, 0.62));
         regions = regions_of(core, spectra, clusters, choices.barycentric, progress.part(0.62, 0.64));
     }
-    if (choices.border > 0) clear_borders(core, choices.border, regions, progress.part(0.64, 0.65));
+    if (choices.border > 0 && !choices.plain) clear_borders(core, choices.border, regions, progress.part(0.64, 0.65));
 
     Model model;
     model.method = WEFT_METHOD_BILAYER;
@@ -188,11 +191,16 @@ Model analyze_bilayer(Core& core, const weft_image& photo, const weft_bilayer_op
                         {choices.support, choices.equalize, layers.centring().scale, mix_in(choices.seed, 1)}, spectrum,
                         progress.part(0.65 + 0.15 * k / count, 0.65 + 0.15 * (k + 1) / count)));
     bilayer.plain = choices.plain ? 1 : 0;
+    for (std::uint32_t c = 0; choices.plain && c < channels; ++c) model.mean[c] = layers.mean(c);
     bilayer.residual = Planes(&core.memory, photo.width, photo.height, channels);
-    Planes structure(&core.memory, photo.width, photo.height, channels + count);
-    layers.part(regions, structure, bilayer.residual);
-    std::copy(regions.masks.values.begin(), regions.masks.values.end(), structure.plane(channels));
+    const std::uint32_t first = choices.plain ? 0 : channels; // of the masks
+    Planes structure(&core.memory, photo.width, photo.height, first + count);
+    layers.part(regions, choices.plain ? nullptr : &structure, bilayer.residual);
+    std::copy(regions.masks.values.begin(), regions.masks.values.end(), structure.plane(first));
     bilayer.structure = std::move(structure);
+    if (!choices.plain || count > 1) // else there is nothing in space to arrange
+        arrange_structure(core, choices.plain ? 0 : channels, options, bilayer, progress.part(0.8, 0.99));
+    check_model(model);
     progress.at(1);
     return model;
 }

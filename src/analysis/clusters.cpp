@@ -10,7 +10,7 @@ namespace weft {
 namespace {
 
 constexpr std::uint32_t first_points = 1U << 12, most_points = 1U << 14;
-constexpr std::uint32_t restarts = 8, first_rounds = 20, most_rounds = 100;
+constexpr std::uint32_t most_rounds = 100;
 
 Points points_of(Core& core, const Local_spectra& spectra, std::uint32_t most, std::uint64_t seed)
 {
@@ -48,14 +48,8 @@ Clusters find_clusters(Core& core, const Local_spectra& spectra, std::uint32_t c
     progress.at(0);
     const Points first = points_of(core, spectra, first_points, mix_in(seed, 0));
     if (count == 0) count = cluster_count(core, first, most_clusters, mix_in(seed, 1), progress.part(0.1, 0.4));
-    Means best;
-    for (std::uint32_t restart = 0; restart < restarts; ++restart) {
-        Means means = spread_means(core, first, count, mix_in(seed, 2 + restart));
-        refine_means(core, first, first_rounds, means,
-                     progress.part(0.4 + 0.3 * restart / restarts, 0.4 + 0.3 * (restart + 1) / restarts));
-        if (restart == 0 || means.squares < best.squares) best = std::move(means);
-    }
-    const Points points = points_of(core, spectra, most_points, mix_in(seed, 2 + restarts));
+    Means best = best_means(core, first, count, mix_in(seed, 2), progress.part(0.4, 0.7));
+    const Points points = points_of(core, spectra, most_points, mix_in(seed, 3));
     refine_means(core, points, most_rounds, best, progress.part(0.75, 1));
     return sorted(core, best, spectra.size);
 }

@@ -13,7 +13,8 @@ namespace {
 constexpr double share_of_region = 0.9;  // the paper's
 constexpr double rank_tolerance = 1e-10; // of an axis's variance: float's rounding, squared, is below
 constexpr std::uint32_t knots = 10;
-constexpr std::uint32_t iterations = 100;
+constexpr std::uint32_t iterations =
+    50; // twice as many lower the model error from 0.16 to 0.13, below that of the spectrum itself
 
 /// The cluster's pixels less their mean, 0 elsewhere, and that mean.
 Planes masked(Core& core, const Planes& residual, const Regions& regions, std::uint32_t k, double* mean)

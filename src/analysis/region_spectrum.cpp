@@ -11,8 +11,10 @@ Region_spectrum::Region_spectrum(Core& core, std::uint32_t width, std::uint32_t 
       spectra_(&core.memory, padded_.width, padded_.height, 1), transform_(core, padded_.width, padded_.height),
       small_(core, fast_length(2 * support), fast_length(2 * support)),
       pairs_(&core.memory, fast_length(2 * support), fast_length(2 * support), 1),
-      lags_(&core.memory, pairs_.width, pairs_.height, 1)
+      lags_(&core.memory, pairs_.width, pairs_.height, 1), window_(&core.memory, pairs_.width)
 {
+    for (std::uint32_t lag = 0; lag < support; ++lag)
+        window_[lag] = static_cast<float>(0.5 + 0.5 * std::cos(3.141592653589793 * lag / support));
 }
 
 void Region_spectrum::correlate(const float* plane, Planes& lags)
@@ -35,11 +37,23 @@ void Region_spectrum::correlate(const float* plane, Planes& lags)
 
 void Region_spectrum::set_region(const float* region) { correlate(region, pairs_); }
 
+/// From sums to covariances. Dividing by the pairs alone would give those of far lags without bias, but of too few
+/// pairs to be of use; dividing by those of lag 0, as the paper does, takes the region's shape for the noise's. Half of
+/// each, under a Hann window over the lags, is nearer to the true spectrum than either.
+void Region_spectrum::smooth()
+{
+    const float all = pairs_.values[0];
+    for (std::size_t y = 0; y < lags_.height; ++y)
+        for (std::size_t x = 0; x < lags_.width; ++x) {
+            const float weight = window_[std::min(x, lags_.width - x)] * window_[std::min(y, lags_.height - y)];
+            lags_.row(0, y)[x] *= weight / (pairs_.row(0, y)[x] + 0.5F * all);
+        }
+}
+
 Target Region_spectrum::target_of(const float* plane, const SplineSamples& samples)
 {
     correlate(plane, lags_);
-    const float fewest = 0.02F * pairs_.values[0];
-    for (std::size_t i = 0; i < lags_.values.size(); ++i) lags_.values[i] /= std::max(pairs_.values[i], fewest);
+    smooth();
     Target target;
     const std::uint32_t side = lags_.width;
     target.spectra = Spectra(&core_.memory, side, side, 1);

@@ -18,6 +18,7 @@ public:
 
 private:
     void correlate(const float* plane, Planes& lags);
+    void smooth();
 
     Core& core_;
     std::uint32_t width_, height_, support_;
@@ -25,6 +26,7 @@ private:
     Spectra spectra_;
     PlaneTransform transform_, small_;
     Planes pairs_, lags_; ///< of the region, and of a plane: lag 0 at the corner, negative ones at the far end
+    Array<float> window_; ///< along one axis; 0 from lag `support` on
 };
 
 } // namespace weft
