@@ -51,7 +51,8 @@ struct Noise : Colour_axes {
 
 /// I' (x) = P' (x) + sum over k of M'_k (x) N_k (x) (Guingo et al. 2017, equation 1).
 struct Bilayer {
-    Planes structure; ///< P's channels, then the masks M_k, whose sum is 1; a torus. Without structure: masks alone
+    Planes structure; ///< P's channels, then the masks M_k, whose sum is 1, or 0 where P is all; a torus. Without
+                      ///< structure: masks alone
     std::uint32_t plain = 0;   ///< 1: P is the model's mean alone, and `structure` holds only masks; 0: that mean is 0
     std::vector<Noise> noises; ///< K: 1..6
     Planes residual;           ///< N = I - P as it was in the exemplar, for people; may be empty
