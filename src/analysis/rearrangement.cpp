@@ -11,7 +11,8 @@ void arrange_structure(Core& core, std::uint32_t channels, const weft_bilayer_op
 {
     Features features = features_of(core, channels, bilayer.structure);
     if (features.empty()) return; // all pixels are alike: there is nothing to rearrange
-    const Bearing bearing = bearing_of(core, features, progress.part(0, 0.05));
+    const Correlation correlation(core, features);
+    const Bearing bearing = bearing_of(core, features, correlation);
     bilayer.turns = bearing.turns;
     bilayer.least_scale = offered_scale[bearing.scales - 1];
     bilayer.turbulence = bearing.turbulence;
@@ -21,7 +22,7 @@ void arrange_structure(Core& core, std::uint32_t channels, const weft_bilayer_op
     Bounds bounds{0, 0, 0, 0};
     if (wang) {
         const std::uint32_t colours = options.colours ? options.colours : 4;
-        bilayer.wang = wang_tiles_of(core, features, colours, options.seed, progress.part(0.05, 0.3));
+        bilayer.wang = wang_tiles_of(core, features, correlation, colours, options.seed, progress.part(0.05, 0.3));
     } else {
         Torus torus = torus_of(core, features, bilayer.structure, progress.part(0.05, 0.3));
         bilayer.structure = std::move(torus.planes);

@@ -1,8 +1,6 @@
 /// Lattices have a high peak of autocorrelation away from 0; what may be turned has gradients of like directions before
 /// and after, light and shade apart.
 #include "analysis/structure_bearing.h"
-#include "analysis/spectra.h"
-#include "base/elementary.h"
 #include <algorithm>
 #include <cmath>
 
@@ -10,49 +8,7 @@ namespace weft {
 namespace {
 
 constexpr float lattice_peak = 0.5f;
-constexpr std::uint32_t least_lag = 20;
-constexpr double high_pass = 16; ///< deviation of the Gaussian that is taken off, in pixels
 constexpr std::uint32_t directions = 64, octant = directions / 8;
-
-/// Sum over the features of the autocorrelation after a high-pass filter; lag (0, 0) is 1.
-Planes correlation_of(Core& core, const Features& features)
-{
-    Planes sum(&core.memory, fast_length(features.width * 3 / 2), fast_length(features.height * 3 / 2), 1);
-    Spectra spectrum(&core.memory, sum.width, sum.height, 1), power(&core.memory, sum.width, sum.height, 1);
-    const PlaneTransform transform(core, sum.width, sum.height);
-    for (std::uint32_t c = 0; c < 4; ++c) {
-        std::fill(sum.values.begin(), sum.values.end(), 0.0f);
-        for (std::size_t y = 0; y < features.height; ++y)
-            for (std::size_t x = 0; x < features.width; ++x) sum.row(0, y)[x] = features.at(x, y).value[c];
-        transform.forward(sum.plane(0), spectrum, 0);
-        for (std::size_t i = 0; i < power.values.size(); ++i) power.values[i] += std::norm(spectrum.values[i]);
-    }
-    for (std::size_t y = 0; y < sum.height; ++y)
-        for (std::size_t x = 0; x < power.columns(); ++x) {
-            const double u = static_cast<double>(x) / sum.width,
-                         v = static_cast<double>(std::min<std::size_t>(y, sum.height - y)) / sum.height;
-            const double exponent = 2 * 9.8696044 * high_pass * high_pass * (u * u + v * v);
-            const auto passed = static_cast<float>(1 - exponential_of_minus(std::min(exponent, 700.0)));
-            power.at(0, x, y) *= passed * passed;
-        }
-    transform.backward(power, 0, sum.plane(0));
-    return sum;
-}
-
-/// Highest among the lags that are farther than the least, up to half the size.
-float far_peak(const Features& features, const Planes& correlation)
-{
-    const float all = correlation.plane(0)[0] / static_cast<float>(features.pixels.size());
-    float peak = 0;
-    for (std::uint32_t y = 0; y <= features.height / 2; ++y)
-        for (std::uint32_t x = 0; x <= features.width / 2; ++x) {
-            if (x * x + y * y < least_lag * least_lag) continue;
-            const auto pairs = static_cast<float>((features.width - x) * (features.height - y));
-            peak = std::max(peak, correlation.row(0, y)[x] / pairs);
-            if (y > 0) peak = std::max(peak, correlation.row(0, correlation.height - y)[x] / pairs);
-        }
-    return all > 0 ? peak / all : 0;
-}
 
 struct Histogram {
     double share[directions] = {};
@@ -120,17 +76,15 @@ std::uint32_t turns_of(Core& core, const Features& features)
 
 } // namespace
 
-Bearing bearing_of(Core& core, const Features& features, const Progress& progress)
+Bearing bearing_of(Core& core, const Features& features, const Correlation& correlation)
 {
     Bearing bearing;
-    bearing.lattice = far_peak(features, correlation_of(core, features)) > lattice_peak;
-    progress.at(0.5);
+    bearing.lattice = correlation.far_peak() > lattice_peak;
     if (bearing.lattice) return bearing;
     bearing.turns = turns_of(core, features);
     const bool isotropic = (bearing.turns & 2) != 0;
     bearing.scales = isotropic ? 3 : 2;
     bearing.turbulence = isotropic ? 5 : 3;
-    progress.at(1);
     return bearing;
 }
 

@@ -1,7 +1,6 @@
 /// Which deformations a structure bears, from measurements.
 #pragma once
-#include "analysis/structure_features.h"
-#include "base/progress.h"
+#include "analysis/structure_correlation.h"
 
 namespace weft {
 
@@ -17,6 +16,6 @@ struct Bearing {
     }
 };
 
-Bearing bearing_of(Core& core, const Features& features, const Progress& progress);
+Bearing bearing_of(Core& core, const Features& features, const Correlation& correlation);
 
 } // namespace weft

@@ -211,6 +211,60 @@ Table table_of(Core& core, const Features& features, const Wang& coarse, std::ui
     return table;
 }
 
+/// The best set of diamonds that is found.
+void choose(Core& core, const Table& table, std::uint64_t seed, Wang& coarse, const Progress& progress)
+{
+    const std::uint32_t n = table.colours, starts = std::clamp(512 / (n * n), 2U, 32U);
+    Array<Choice> found(&core.memory, starts);
+    for_each_step(core, starts, 3e6 * n * n, progress,
+                  [&](std::uint32_t i) { found[i] = best_from(table, mix_in(seed, i)); });
+    const Choice& best =
+        *std::min_element(found.begin(), found.end(), [](const Choice& a, const Choice& b) { return a.cost < b.cost; });
+    for (std::uint32_t i = 0; i < 2 * n; ++i) coarse.diamonds[i] = table.at(i, best.of[i]).corner;
+}
+
+/// Mean and worst of the cuts of one edge's diamond with all of the other direction.
+double cuts_of(std::pmr::memory_resource* memory, const Features& features, const Wang& wang, std::uint32_t edge,
+               Wang::Diamond corner)
+{
+    const std::uint32_t n = wang.colours;
+    double worst = 0, sum = 0;
+    for (std::uint32_t other = 0; other < n; ++other)
+        for (std::uint32_t q = 0; q < 4; ++q) {
+            const Wang::Diamond north = edge < n ? corner : wang.diamonds[other],
+                                west = edge < n ? wang.diamonds[n + other] : corner;
+            const Quarter quarter{wang.width, wang.height, wang.knots, q / 2, q % 2};
+            const auto error = static_cast<double>(cut_quarter(memory, features, quarter, north, west, nullptr).error);
+            worst = std::max(worst, error);
+            sum += error;
+        }
+    return sum / (4 * n) + worst_weight * worst;
+}
+
+/// Moves one diamond after another to where its cuts cost less, by steps of 2 and 1.
+void settle(Core& core, const Features& features, Wang& wang, const Progress& progress)
+{
+    constexpr std::uint32_t ways = 9, steps = 4;
+    const auto right = static_cast<std::int32_t>(features.width - wang.width),
+               bottom = static_cast<std::int32_t>(features.height - wang.height);
+    const std::uint32_t edges = 2 * wang.colours;
+    for (std::uint32_t i = 0; i < steps * edges; ++i) {
+        const std::uint32_t edge = i % edges;
+        const std::int32_t step = i / edges % 2 == 0 ? 2 : 1;
+        const Wang::Diamond from = wang.diamonds[edge];
+        const auto moved = [&](std::uint32_t way) { // the first way is to stay
+            const auto k = static_cast<std::int32_t>((way + 4) % ways);
+            return Wang::Diamond{std::clamp(from.x + (k % 3 - 1) * step, 0, right),
+                                 std::clamp(from.y + (k / 3 - 1) * step, 0, bottom)};
+        };
+        double costs[ways];
+        core.parallel.for_each_index(
+            ways, [&](std::uint32_t way) { costs[way] = cuts_of(&core.memory, features, wang, edge, moved(way)); });
+        wang.diamonds[edge] = moved(static_cast<std::uint32_t>(std::min_element(costs, costs + ways) - costs));
+        progress.at((i + 1.0) / (steps * edges));
+    }
+}
+
 } // namespace
 
 void select_diamonds(Core& core, const Features& features, std::uint64_t seed, Wang& wang, const Progress& progress)
@@ -225,21 +279,17 @@ void select_diamonds(Core& core, const Features& features, std::uint64_t seed, W
         coarse_features = &small;
         ++level;
     }
-    coarse.width = std::max(4u, wang.width >> level & ~1u);
-    coarse.height = std::max(4u, wang.height >> level & ~1u);
+    coarse.width = std::max(4U, wang.width >> level & ~1U);
+    coarse.height = std::max(4U, wang.height >> level & ~1U);
     coarse.knots = std::max(coarse.width, coarse.height) / 2;
-    const Table table = table_of(core, *coarse_features, coarse, seed, progress.part(0, 0.7));
-    const std::uint32_t n = wang.colours, starts = std::clamp(512 / (n * n), 2u, 32u);
-    Array<Choice> found(&core.memory, starts);
-    for_each_step(core, starts, 3e6 * n * n, progress.part(0.7, 1),
-                  [&](std::uint32_t i) { found[i] = best_from(table, mix_in(seed, i)); });
-    const Choice& best =
-        *std::min_element(found.begin(), found.end(), [](const Choice& a, const Choice& b) { return a.cost < b.cost; });
-    for (std::uint32_t i = 0; i < 2 * n; ++i) {
-        const Wang::Diamond corner = table.at(i, best.of[i]).corner;
-        wang.diamonds[i] = {std::min(corner.x << level, static_cast<std::int32_t>(features.width - wang.width)),
-                            std::min(corner.y << level, static_cast<std::int32_t>(features.height - wang.height))};
-    }
+    coarse.diamonds = Array<Wang::Diamond>(&core.memory, wang.diamonds.size());
+    choose(core, table_of(core, *coarse_features, coarse, seed, progress.part(0, 0.6)), seed, coarse,
+           progress.part(0.6, 0.8));
+    settle(core, *coarse_features, coarse, progress.part(0.8, 1));
+    for (std::size_t i = 0; i < wang.diamonds.size(); ++i)
+        wang.diamonds[i] = {
+            std::min(coarse.diamonds[i].x << level, static_cast<std::int32_t>(features.width - wang.width)),
+            std::min(coarse.diamonds[i].y << level, static_cast<std::int32_t>(features.height - wang.height))};
 }
 
 } // namespace weft

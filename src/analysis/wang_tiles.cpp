@@ -9,19 +9,34 @@ namespace weft {
 namespace {
 
 constexpr std::uint32_t most_knots_of_contour = 254;
+constexpr float least_likeness = 0.05f; ///< that is worth another size
 
-/// Of a cell: of less than half the structure diamonds have more room, and less in common.
-std::uint32_t side_of(std::uint32_t size) noexcept { return std::max(4U, (size * 27 / 64) & ~1U); }
+/// Of a cell. Of less than half the structure diamonds have room to differ; of sizes near that, one by which the
+/// structure resembles itself most keeps courses and columns whole.
+std::uint32_t side_of(const Correlation& correlation, std::uint32_t size, bool down) noexcept
+{
+    const auto even = [size](std::uint32_t share) { return std::max(4U, (size * share / 64) & ~1U); };
+    std::uint32_t best = even(27);
+    float most = least_likeness;
+    for (std::uint32_t side = even(22); side <= even(32); side += 2) {
+        const auto lag = static_cast<std::int32_t>(side);
+        const float likeness = down ? correlation.at(0, lag) : correlation.at(lag, 0);
+        if (likeness <= most) continue;
+        most = likeness;
+        best = side;
+    }
+    return best;
+}
 
 } // namespace
 
-Wang wang_tiles_of(Core& core, const Features& features, std::uint32_t colours, std::uint64_t seed,
-                   const Progress& progress)
+Wang wang_tiles_of(Core& core, const Features& features, const Correlation& correlation, std::uint32_t colours,
+                   std::uint64_t seed, const Progress& progress)
 {
     Wang wang;
     wang.colours = colours;
-    wang.width = side_of(features.width);
-    wang.height = side_of(features.height);
+    wang.width = side_of(correlation, features.width, false);
+    wang.height = side_of(correlation, features.height, true);
     wang.knots = std::clamp(std::max(wang.width, wang.height) / 2, 2u, most_knots_of_contour);
     wang.diamonds = Array<Wang::Diamond>(&core.memory, 2 * std::size_t{colours});
     select_diamonds(core, features, seed, wang, progress.part(0, 0.8));
