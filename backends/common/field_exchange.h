@@ -63,15 +63,25 @@ static inline float weft_content_share(float depth, float contour, float feather
     return inside < below ? inside : below;
 }
 
-/* One axis of where a content looks: `corner` is the source's texel under the anchor, `s` the position, turned. */
-static inline weft_place weft_content_place(weft_i32 corner, float s, weft_u32 size)
+/* One axis of where a content looks: `corner` is the source's texel under the anchor, `s` the position, turned. The
+ * texel has to be wrapped. */
+static inline weft_place weft_content_place(weft_i32 corner, float s)
 {
-    const weft_i32 whole = weft_floor(s), length = (weft_i32)size, texel = (corner + whole) % length;
+    const weft_i32 whole = weft_floor(s);
     weft_place at;
     at.cell = 0;
-    at.texel = texel < 0 ? texel + length : texel;
+    at.texel = corner + whole;
     at.fraction = s - (float)whole;
     return at;
+}
+
+/* Modulo a size: seldom outside it, and divisions are slow. */
+static inline weft_i32 weft_wrap(weft_i32 texel, weft_u32 size)
+{
+    const weft_i32 length = (weft_i32)size;
+    if (texel >= 0 && texel < length) return texel;
+    texel %= length;
+    return texel < 0 ? texel + length : texel;
 }
 
 #endif

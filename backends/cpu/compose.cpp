@@ -86,29 +86,16 @@ bool open_composed(const weft_layer& layer, const weft_program& program, bool co
     return !copied || copy_source(*tile.source, data.texels, texels);
 }
 
-namespace {
-
-constexpr uint32_t square = 32; ///< pixels
-
-weft_place displaced(const Tile& tile, uint32_t axis, const weft_place& place, float pixels)
-{
-    const weft_grid& grid = axis == 0 ? tile.tile->x : tile.tile->y;
-    return weft_displace(place, pixels, grid.step, axis == 0 ? tile.tile->width : tile.tile->height,
-                         tile.composed.cells[axis]);
-}
-
-} // namespace
-
 void compose_point(const Rows& rows, const Tile& tile, const weft_spot& spot, const float* displacement, uint32_t first,
                    uint32_t count, float* f)
 {
     weft_place at[2];
+    Axis_places places[2];
     for (uint32_t axis = 0; axis < 2; ++axis) {
         at[axis] = tile.place(axis, spot.cell[axis], spot.fraction[axis]);
-        if (displacement) at[axis] = displaced(tile, axis, at[axis], displacement[axis]);
+        places[axis] = {&at[axis].cell, &at[axis].texel, &at[axis].fraction, 1,
+                        displacement ? displacement + axis : nullptr};
     }
-    const Axis_places places[2] = {{&at[0].cell, &at[0].texel, &at[0].fraction},
-                                   {&at[1].cell, &at[1].texel, &at[1].fraction}};
     rows.compose(tile.composed, places, 1, spot.level, first, count, f, 1);
 }
 
@@ -117,9 +104,7 @@ bool Composed_block::begin(const Rows& rows, const Tile& tile, const Block& bloc
     rows_ = &rows;
     tile_ = &tile;
     block_ = block;
-    if (!axes_[0].reserve(block.width) || !axes_[1].reserve(block.height) || !moved_[0].reserve(square) ||
-        !moved_[1].reserve(square))
-        return false;
+    if (!axes_[0].reserve(block.width) || !axes_[1].reserve(block.height)) return false;
     const uint32_t fraction = block.level == 0 ? WEFT_FRACTION_HALF : 0;
     const int64_t step = int64_t(1) << block.level;
     for (uint32_t x = 0; x < block.width; ++x)
@@ -129,29 +114,20 @@ bool Composed_block::begin(const Rows& rows, const Tile& tile, const Block& bloc
     return true;
 }
 
-/// Fills moved_ with the places of a row's pixels begin..end - 1.
-void Composed_block::row(uint32_t y, uint32_t begin, uint32_t end, const float* displacement, size_t plane)
-{
-    const weft_place row = axes_[1].get(y);
-    for (uint32_t x = begin; x < end; ++x) {
-        const weft_place column = axes_[0].get(x);
-        moved_[0].set(x - begin, displacement ? displaced(*tile_, 0, column, displacement[x]) : column);
-        moved_[1].set(x - begin, displacement ? displaced(*tile_, 1, row, displacement[plane + x]) : row);
-    }
-}
-
 /// Column by column of squares: what pixels of a square look at, turned as it may be, stays in the nearest cache.
 void Composed_block::strip(const Strip& strip, const float* displacement)
 {
+    constexpr uint32_t square = 32;
     const size_t plane = size_t(strip.count) * strip.stride;
-    const Axis_places places[2] = {moved_[0].places(), moved_[1].places()};
     for (uint32_t begin = 0; begin < strip.width; begin += square) {
-        const uint32_t end = strip.width - begin < square ? strip.width : begin + square;
+        const uint32_t width = strip.width - begin < square ? strip.width - begin : square;
         for (uint32_t y = 0; y < strip.count; ++y) {
-            const size_t offset = size_t(y) * strip.stride;
-            row(strip.first + y, begin, end, displacement ? displacement + offset : nullptr, plane);
-            rows_->compose(tile_->composed, places, end - begin, float(block_.level), 0, tile_->planes,
-                           strip.data + offset + begin, plane);
+            const size_t offset = size_t(y) * strip.stride + begin;
+            const float* moved = displacement ? displacement + offset : nullptr;
+            const Axis_places places[2] = {axes_[0].from(begin, 1, moved),
+                                           axes_[1].from(strip.first + y, 0, moved ? moved + plane : nullptr)};
+            rows_->compose(tile_->composed, places, width, float(block_.level), 0, tile_->planes, strip.data + offset,
+                           plane);
         }
     }
 }

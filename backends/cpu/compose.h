@@ -32,7 +32,7 @@ void compose_point(const Rows& rows, const Tile& tile, const weft_spot& spot, co
 /// Renders strips of one block of such a layer.
 class Composed_block {
 public:
-    explicit Composed_block(const weft_host* host) : axes_{Axis(host), Axis(host)}, moved_{Axis(host), Axis(host)} {}
+    explicit Composed_block(const weft_host* host) : axes_{Axis(host), Axis(host)} {}
 
     bool begin(const Rows& rows, const Tile& tile, const Block& block);
     /// `displacement`: null, or two planes of an earlier layer's strip of the same shape.
@@ -43,27 +43,26 @@ private:
     struct Axis {
         explicit Axis(const weft_host* host) : cells(host), texels(host), fractions(host) {}
         bool reserve(size_t count) { return cells.reserve(count) && texels.reserve(count) && fractions.reserve(count); }
-        weft_place get(uint32_t i) const { return {cells.data()[i], texels.data()[i], fractions.data()[i]}; }
         void set(uint32_t i, const weft_place& place)
         {
             cells.data()[i] = place.cell;
             texels.data()[i] = place.texel;
             fractions.data()[i] = place.fraction;
         }
-        Axis_places places() const { return {cells.data(), texels.data(), fractions.data()}; }
+        Axis_places from(uint32_t i, uint32_t step, const float* moved) const
+        {
+            return {cells.data() + i, texels.data() + i, fractions.data() + i, step, moved};
+        }
 
         Buffer<int64_t> cells;
         Buffer<int32_t> texels;
         Buffer<float> fractions;
     };
 
-    void row(uint32_t y, uint32_t begin, uint32_t end, const float* displacement, size_t plane);
-
     const Rows* rows_ = nullptr;
     const Tile* tile_ = nullptr;
     Block block_{};
-    Axis axes_[2];  ///< columns and rows of the block
-    Axis moved_[2]; ///< pixels of a row of a square
+    Axis axes_[2]; ///< columns and rows of the block
 };
 
 } // namespace weft

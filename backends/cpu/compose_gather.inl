@@ -3,13 +3,12 @@
 /// these show, its values; each round asks for the memory that the next one reads, since places lie scattered. Included
 /// by rows.inl, inside its unnamed namespace.
 
-constexpr uint32_t most_groups = (most_planes + 7) / 8;
 constexpr uint32_t composed_together = 32; ///< places
 
-/// Four texels that are joined: the first of them, those below it, weights.
+/// Four texels that are joined: the first of them, floats to those below it, weights.
 struct Taps {
     const float* from;
-    int64_t row;
+    int32_t row;
     float x, y;
 };
 
@@ -19,17 +18,17 @@ struct Shown {
     float t;
 };
 
-/// A view after exchange: its base, into which its content is blended if that has a share.
-struct Exchanged {
-    Shown base, content;
-    float share;
+/// Shares that are blended in: of the first view's content, of the second view, of its content. Only what has a share
+/// has places in the lists.
+struct Shares {
+    float content, second, second_content;
 };
 
-/// The views of a place; the second one is blended into the first if it has a share.
+/// What some places show, in lists that are read in the order in which they were written.
 struct Composition {
-    View views[2];
-    float share;
-    Exchanged exchanged[2];
+    View views[2 * composed_together];
+    Shown shown[4 * composed_together];
+    Shares shares[composed_together];
 };
 
 inline Taps taps_at(const Composed& c, const Spot_place& at, int32_t level)
@@ -41,89 +40,126 @@ inline Taps taps_at(const Composed& c, const Spot_place& at, int32_t level)
     const float* from = texels.data + y.first * texels.row + x.first * int64_t(8) * c.groups;
     __builtin_prefetch(from);
     __builtin_prefetch(from + texels.row);
-    return {from, texels.row, x.t, y.t};
+    return {from, int32_t(texels.row), x.t, y.t};
 }
 
-inline Shown shown_at(const Composed& c, const Spot_place& at, const weft_between& level)
+inline void show(const Composed& c, const Spot_place& at, const weft_between& level, Shown& shown)
 {
-    Shown shown;
     shown.fine = taps_at(c, at, level.whole);
     shown.t = level.t;
     if (level.t > 0) shown.coarse = taps_at(c, at, level.whole + 1);
-    return shown;
 }
 
-inline void find_views(const Composed& c, Looker& looker, const Spot_place& at, Composition& found)
-{
-    found.share = 0;
-    if (c.tile->wang) {
-        const float share = looker.views(at, found.views[1], found.views[0]);
-        if (share >= 1)
-            found.views[0] = found.views[1];
-        else
-            found.share = share;
-    } else
-        found.views[0] = {at, at.x.texel, at.y.texel, 0};
-}
-
-inline void exchange(const Composed& c, Looker& looker, const View& view, uint32_t slot, Exchanged& to)
+/// Appends what a view shows to a list; the share of its content.
+inline float show_view(const Composed& c, Looker& looker, const View& view, uint32_t slot, Shown*& shown)
 {
     const Content content = c.tile->exchange ? looker.content(view, slot) : Content{};
-    const bool whole = content.share >= 1;
-    to.share = whole ? 0 : content.share;
-    to.base = whole ? shown_at(c, content.source, content.level) : shown_at(c, view.base(), looker.level());
-    if (to.share > 0) to.content = shown_at(c, content.source, content.level);
+    if (!(content.share >= 1)) show(c, view.base(), looker.level(), *shown++);
+    if (content.share > 0) show(c, content.source, content.level, *shown++);
+    return content.share >= 1 ? 0 : content.share;
+}
+
+void find_composition(const Composed& c, const Axis_places* places, uint32_t begin, uint32_t count, Looker& looker,
+                      Composition& found)
+{
+    View* view = found.views;
+    for (uint32_t i = 0; i < count; ++i) {
+        View other;
+        const float share = looker.views(looker.place(places, begin + i), other, *view);
+        const bool alone = share >= 1;
+        if (!alone) ++view;
+        if (share > 0) *view++ = other;
+        found.shares[i].second = alone ? 0 : share;
+    }
+    view = found.views;
+    Shown* shown = found.shown;
+    for (uint32_t i = 0; i < count; ++i) {
+        Shares& shares = found.shares[i];
+        shares.content = show_view(c, looker, *view++, 0, shown);
+        if (shares.second > 0) shares.second_content = show_view(c, looker, *view++, 1, shown);
+    }
 }
 
 inline Pair lerp_pair(const Pair& a, const Pair& b, float t) { return (t - Pair{}) * (b - a) + a; }
 
-inline Pair joined(const Taps& taps, uint32_t groups, uint32_t group)
+inline Pair joined(const Taps& taps, uint32_t width, uint32_t first)
 {
-    const float *upper = taps.from + 8 * group, *lower = upper + taps.row;
-    return lerp_pair(lerp_pair(load_pair(upper), load_pair(upper + 8 * groups), taps.x),
-                     lerp_pair(load_pair(lower), load_pair(lower + 8 * groups), taps.x), taps.y);
+    const float *upper = taps.from + first, *lower = upper + taps.row;
+    return lerp_pair(lerp_pair(load_pair(upper), load_pair(upper + width), taps.x),
+                     lerp_pair(load_pair(lower), load_pair(lower + width), taps.x), taps.y);
 }
 
-inline Pair value_of(const Shown& shown, uint32_t groups, uint32_t group)
+inline Pair value_of(const Shown& shown, uint32_t width, uint32_t first)
 {
-    const Pair f = joined(shown.fine, groups, group);
-    return shown.t > 0 ? lerp_pair(f, joined(shown.coarse, groups, group), shown.t) : f;
+    const Pair f = joined(shown.fine, width, first);
+    return shown.t > 0 ? lerp_pair(f, joined(shown.coarse, width, first), shown.t) : f;
 }
 
-inline Pair value_of(const Exchanged& view, uint32_t groups, uint32_t group)
+/// Eight planes from `first` on of a place; `shown` moves on.
+inline Pair value_of(const Shares& shares, const Shown*& shown, uint32_t width, uint32_t first)
 {
-    const Pair f = value_of(view.base, groups, group);
-    return view.share > 0 ? lerp_pair(f, value_of(view.content, groups, group), view.share) : f;
+    Pair f = value_of(*shown++, width, first);
+    if (shares.content > 0) f = lerp_pair(f, value_of(*shown++, width, first), shares.content);
+    if (!(shares.second > 0)) return f;
+    Pair g = value_of(*shown++, width, first);
+    if (shares.second_content > 0) g = lerp_pair(g, value_of(*shown++, width, first), shares.second_content);
+    return lerp_pair(f, g, shares.second);
+}
+
+/// Rows become columns.
+inline void transpose(Pair* v)
+{
+    Pair u[8];
+#pragma GCC unroll 4
+    for (uint32_t i = 0; i < 4; ++i) {
+        u[i] = __builtin_shufflevector(v[i], v[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        u[i + 4] = __builtin_shufflevector(v[i], v[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+#pragma GCC unroll 2
+    for (uint32_t h = 0; h < 8; h += 4) {
+        const Pair a = __builtin_shufflevector(u[h], u[h + 1], 0, 8, 1, 9, 4, 12, 5, 13);
+        const Pair b = __builtin_shufflevector(u[h], u[h + 1], 2, 10, 3, 11, 6, 14, 7, 15);
+        const Pair d = __builtin_shufflevector(u[h + 2], u[h + 3], 0, 8, 1, 9, 4, 12, 5, 13);
+        const Pair e = __builtin_shufflevector(u[h + 2], u[h + 3], 2, 10, 3, 11, 6, 14, 7, 15);
+        v[h] = __builtin_shufflevector(a, d, 0, 1, 8, 9, 4, 5, 12, 13);
+        v[h + 1] = __builtin_shufflevector(a, d, 2, 3, 10, 11, 6, 7, 14, 15);
+        v[h + 2] = __builtin_shufflevector(b, e, 0, 1, 8, 9, 4, 5, 12, 13);
+        v[h + 3] = __builtin_shufflevector(b, e, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+}
+
+/// Eight planes from plane `first` on, of `count` places: those from `begin` to `end` go to f and on.
+void write_planes(const Composition& found, uint32_t width, uint32_t first, uint32_t begin, uint32_t end,
+                  uint32_t count, float* f, size_t pitch)
+{
+    const Shown* shown = found.shown;
+    for (uint32_t n = 0; n < count; n += 8) {
+        const uint32_t some = count - n < 8 ? count - n : 8;
+        Pair values[8] = {};
+        for (uint32_t i = 0; i < some; ++i) values[i] = value_of(found.shares[n + i], shown, width, first);
+        transpose(values);
+        for (uint32_t p = begin; p < end; ++p) {
+            float* to = f + (p - begin) * pitch + n;
+            if (some == 8)
+                put(values[p - first], to);
+            else
+                for (uint32_t i = 0; i < some; ++i) to[i] = values[p - first][i];
+        }
+    }
 }
 
 void compose(const Composed& c, const Axis_places* places, uint32_t count, float level, uint32_t first, uint32_t planes,
              float* f, size_t pitch)
 {
     Looker looker(c, level);
-    Composition found[composed_together];
-    alignas(32) float values[composed_together * 8];
-    for (uint32_t begin = 0; begin < count; begin += composed_together) {
-        const uint32_t some = count - begin < composed_together ? count - begin : composed_together;
-        for (uint32_t i = 0, n = begin; i < some; ++i, ++n)
-            find_views(c, looker,
-                       {{places[0].cell[n], places[0].texel[n], places[0].fraction[n]},
-                        {places[1].cell[n], places[1].texel[n], places[1].fraction[n]}},
-                       found[i]);
-        for (uint32_t i = 0; i < some; ++i) {
-            exchange(c, looker, found[i].views[0], 0, found[i].exchanged[0]);
-            if (found[i].share > 0) exchange(c, looker, found[i].views[1], 1, found[i].exchanged[1]);
-        }
-        for (uint32_t g = first / 8; 8 * g < first + planes; ++g) {
-            for (uint32_t i = 0; i < some; ++i) {
-                Pair value = value_of(found[i].exchanged[0], c.groups, g);
-                if (found[i].share > 0)
-                    value = lerp_pair(value, value_of(found[i].exchanged[1], c.groups, g), found[i].share);
-                put(value, values + 8 * i);
-            }
-            const uint32_t from = g * 8 > first ? g * 8 : first,
-                           to = g * 8 + 8 < first + planes ? g * 8 + 8 : first + planes;
-            for (uint32_t p = from; p < to; ++p)
-                for (uint32_t i = 0; i < some; ++i) f[(p - first) * pitch + begin + i] = values[8 * i + p - 8 * g];
+    Composition found;
+    const uint32_t last = first + planes;
+    for (uint32_t n = 0; n < count; n += composed_together) {
+        const uint32_t some = count - n < composed_together ? count - n : composed_together;
+        find_composition(c, places, n, some, looker, found);
+        for (uint32_t p = first / 8 * 8; p < last; p += 8) {
+            const uint32_t begin = p > first ? p : first, end = p + 8 < last ? p + 8 : last;
+            write_planes(found, 8 * c.groups, p, begin, end, some, f + (begin - first) * pitch + n, pitch);
         }
     }
 }

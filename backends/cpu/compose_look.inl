@@ -59,50 +59,68 @@ public:
 
     const weft_between& level() const { return level_; }
 
-    /// Two views, and the share of the first, that of the north or south edge.
+    /// The i-th of some places.
+    Spot_place place(const Axis_places* places, uint32_t i) const
+    {
+        return {place(places[0], i, tile_.x.step, tile_.width, c_.cells[0]),
+                place(places[1], i, tile_.y.step, tile_.height, c_.cells[1])};
+    }
+
+    /// The share of the first view, that of the north or south edge. Views without a share are left as they are.
     float views(const Spot_place& at, View& first, View& second)
     {
+        if (!tile_.wang) {
+            first = {at, at.x.texel, at.y.texel, 0};
+            return 1;
+        }
         const weft_wang& wang = *tile_.wang;
         const weft_half x = weft_half_at(at.x, tile_.width, wang.unit_x);
         const weft_half y = weft_half_at(at.y, tile_.height, wang.unit_y);
-        Spot_place north = at, west = at;
-        if (y.second != 0) north.y.cell = weft_cell_after(at.y.cell, c_.cells[1]);
-        if (x.second != 0) west.x.cell = weft_cell_after(at.x.cell, c_.cells[0]);
-        const uint32_t a = north_.at(north.x.cell, north.y.cell), b = west_.at(west.x.cell, west.y.cell);
-        north.y.texel = y.texel;
-        west.x.texel = x.texel;
-        first = view(north, a);
-        second = view(west, wang.colours + b);
+        const int64_t north = y.second != 0 ? weft_cell_after(at.y.cell, c_.cells[1]) : at.y.cell;
+        const int64_t west = x.second != 0 ? weft_cell_after(at.x.cell, c_.cells[0]) : at.x.cell;
+        const uint32_t a = north_.at(at.x.cell, north), b = west_.at(west, at.y.cell);
         const weft_knot knot = weft_wang_knot(x.distance, y.distance, wang.knots);
         const size_t row = weft_wang_contour(y.second, x.second, a, b, wang.colours);
         const int8_t* depths = wang.contours + row * (wang.knots + 1) + knot.k;
         const float* sharp = wang.sharp + size_t(level_.whole) * (wang.knots + 1) + knot.k;
-        return weft_wang_share(knot, float(depths[0]), float(depths[1]), between(sharp, wang.knots + 1),
-                               between(sharp + 1, wang.knots + 1));
+        const float share = weft_wang_share(knot, float(depths[0]), float(depths[1]), between(sharp, wang.knots + 1),
+                                            between(sharp + 1, wang.knots + 1));
+        if (share > 0) first = view(at.x, {north, y.texel, at.y.fraction}, a);
+        if (!(share >= 1)) second = view({west, x.texel, at.x.fraction}, at.y, wang.colours + b);
+        return share;
     }
 
     /// `slot` is 0 or 1: whose hashes to keep.
     Content content(const View& view, uint32_t slot)
     {
-        const weft_exchange& exchange = *tile_.exchange;
         const uint32_t* map = map_of(view.map);
         const float depth = depth_at(map, view.cell);
         if (!(depth > 0)) return {};
-        const weft_place &x = view.cell.x, &y = view.cell.y;
-        const uint32_t entry = map[size_t(y.texel) * tile_.width + size_t(x.texel)];
-        const weft_patch& patch = exchange.patches[weft_map_patch(entry)];
-        const uint32_t number = content_of(view.cell, entry, held_[slot]);
-        const float dx = weft_from_anchor(x.texel, x.fraction, weft_map_left(entry), tile_.width, patch.x);
-        const float dy = weft_from_anchor(y.texel, y.fraction, weft_map_above(entry), tile_.height, patch.y);
+        return content(view.cell, map[size_t(view.cell.y.texel) * tile_.width + size_t(view.cell.x.texel)], depth, slot);
+    }
+
+    /// The same where the map has this entry and this depth, which is above 0.
+    Content content(const Spot_place& at, uint32_t entry, float depth, uint32_t slot)
+    {
+        const weft_patch& patch = tile_.exchange->patches[weft_map_patch(entry)];
+        const uint32_t number = content_of(at, entry, held_[slot]);
+        const float dx = weft_from_anchor(at.x.texel, at.x.fraction, weft_map_left(entry), tile_.width, patch.x);
+        const float dy = weft_from_anchor(at.y.texel, at.y.fraction, weft_map_above(entry), tile_.height, patch.y);
         const float share = share_of(number, depth, dx, dy);
         if (!(share > 0)) return {};
-        const weft_content& content = exchange.contents[number];
-        const float* turn = content.turn;
-        return {{weft_content_place(content.x, turn[0] * dx + turn[1] * dy, tile_.source->width),
-                 weft_content_place(content.y, turn[2] * dx + turn[3] * dy, tile_.source->height)},
-                weft_tile_level(wanted_, content.level, tile_.source->levels),
-                share};
+        const weft_between level =
+            weft_tile_level(wanted_, tile_.exchange->contents[number].level, tile_.source->levels);
+        return {content_place(number, dx, dy), level, share};
     }
+
+    const uint32_t* map_of(uint32_t view) const
+    {
+        return tile_.exchange->map + size_t(view) * tile_.width * tile_.height;
+    }
+
+    /// Colour of a cell's north edge, of its west edge.
+    uint32_t north(int64_t x, int64_t y) { return north_.at(x, y); }
+    uint32_t west(int64_t x, int64_t y) { return west_.at(x, y); }
 
 private:
     /// The content of the patch that was hashed last.
@@ -111,23 +129,39 @@ private:
         uint32_t patch, content;
     };
 
+    static weft_place place(const Axis_places& places, uint32_t i, float step, uint32_t size, uint32_t cells)
+    {
+        const uint32_t n = i * places.step;
+        const weft_place at = {places.cell[n], places.texel[n], places.fraction[n]};
+        return places.moved ? weft_displace(at, places.moved[i], step, size, cells) : at;
+    }
+
+    /// Where a content looks, at a distance from its anchor.
+    Spot_place content_place(uint32_t number, float x, float y) const
+    {
+        const weft_content& content = tile_.exchange->contents[number];
+        const float* turn = content.turn;
+        Spot_place at = {weft_content_place(content.x, turn[0] * x + turn[1] * y),
+                         weft_content_place(content.y, turn[2] * x + turn[3] * y)};
+        at.x.texel = weft_wrap(at.x.texel, tile_.source->width);
+        at.y.texel = weft_wrap(at.y.texel, tile_.source->height);
+        return at;
+    }
+
     /// One number of a level, those of the next level being `step` further.
     float between(const float* numbers, size_t step) const
     {
         return level_.t > 0 ? weft_lerp(numbers[0], numbers[step], level_.t) : numbers[0];
     }
 
-    const uint32_t* map_of(uint32_t view) const
+    View view(const weft_place& x, const weft_place& y, uint32_t map) const
     {
-        return tile_.exchange->map + size_t(view) * tile_.width * tile_.height;
-    }
-
-    View view(const Spot_place& at, uint32_t map) const
-    {
-        if (tile_.exchange) __builtin_prefetch(map_of(map) + size_t(at.y.texel) * tile_.width + size_t(at.x.texel));
+        if (tile_.exchange) __builtin_prefetch(map_of(map) + size_t(y.texel) * tile_.width + size_t(x.texel));
         const weft_diamond& diamond = tile_.wang->diamonds[map];
-        return {at, weft_wang_texel(diamond.x, at.x.texel, tile_.source->width),
-                weft_wang_texel(diamond.y, at.y.texel, tile_.source->height), map};
+        return {{x, y},
+                weft_wang_texel(diamond.x, x.texel, tile_.source->width),
+                weft_wang_texel(diamond.y, y.texel, tile_.source->height),
+                map};
     }
 
     float depth_at(const uint32_t* map, const Spot_place& at) const

@@ -42,15 +42,9 @@ void compose(const Composed& c, const Axis_places* places, uint32_t count, float
 {
     Looker looker(c, level);
     for (uint32_t i = 0; i < count; ++i) {
-        const Spot_place at = {{places[0].cell[i], places[0].texel[i], places[0].fraction[i]},
-                               {places[1].cell[i], places[1].texel[i], places[1].fraction[i]}};
         float values[2][most_planes];
         View views[2];
-        float share = 1;
-        if (c.tile->wang)
-            share = looker.views(at, views[0], views[1]);
-        else
-            views[0] = {at, at.x.texel, at.y.texel, 0};
+        const float share = looker.views(looker.place(places, i), views[0], views[1]);
         if (share > 0) view_values(c, looker, views[0], 0, first, planes, values[0]);
         if (!(share >= 1)) view_values(c, looker, views[1], 1, first, planes, values[1]);
         for (uint32_t p = 0; p < planes; ++p)

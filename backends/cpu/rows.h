@@ -62,11 +62,13 @@ struct Composed {
     const Texels* texels;           ///< levels; only for kernels that want copies
 };
 
-/// Where a TILE is looked at: an axis's cells, texels and fractions.
+/// Where a TILE is looked at, along one axis: cells, texels and fractions, and what moves them, in pixels.
 struct Axis_places {
     const int64_t* cell;
     const int32_t* texel;
     const float* fraction;
+    uint32_t step;      ///< 1; 0: all in the same place, but for what moves them
+    const float* moved; ///< null: nothing
 };
 
 /// `pairs` pairs of coefficients of a row of a band: those of the next coarser band's rows `above` and `below`,
@@ -176,7 +178,8 @@ struct Rows {
     void (*bands_spots)(const Bands& bands, uint32_t axes, const weft_spot* spots, uint32_t count, float* f,
                         size_t pitch);
 
-    /// f of planes first..first + planes - 1 at `count` places, a plane `pitch` floats after the one before.
+    /// f of planes first..first + planes - 1 at `count` places of two axes, a plane `pitch` floats after the one
+    /// before.
     void (*compose)(const Composed& tile, const Axis_places* places, uint32_t count, float level, uint32_t first,
                     uint32_t planes, float* f, size_t pitch);
     void (*expand)(const float* texels, const Columns& columns, float* row);

@@ -115,8 +115,10 @@ static Shown exchanged(Composer c, View view)
     shown.share = weft_content_share(depth, contour_depth, between_levels(c, composed->feather, 1));
     global const weft_u32* content = c.words + composed->contents + number * WEFT_CONTENT_WORDS;
     const float4 turn = (float4)(as_float(content[3]), as_float(content[4]), as_float(content[5]), as_float(content[6]));
-    shown.content.x = weft_content_place((weft_i32)content[1], turn.x * x + turn.y * y, c.width);
-    shown.content.y = weft_content_place((weft_i32)content[2], turn.z * x + turn.w * y, c.height);
+    shown.content.x = weft_content_place((weft_i32)content[1], turn.x * x + turn.y * y);
+    shown.content.y = weft_content_place((weft_i32)content[2], turn.z * x + turn.w * y);
+    shown.content.x.texel = weft_wrap(shown.content.x.texel, c.width);
+    shown.content.y.texel = weft_wrap(shown.content.y.texel, c.height);
     shown.content.level = weft_tile_level(c.wanted, as_float(content[7]), c.layer->levels);
     return shown;
 }
