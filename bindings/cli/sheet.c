@@ -2,7 +2,6 @@
 #include "sheet.h"
 #include "command.h"
 #include "file.h"
-#include "json.h"
 #include "open.h"
 #include "options.h"
 #include "progress.h"
@@ -121,16 +120,6 @@ static void draw(sheet* s, const char* path)
     if (s->code == EXIT_FINE) s->code = canvas_grow(&s->canvas, s->bottom + SHEET_MARGIN);
 }
 
-static void report(const sheet* s, const char* output)
-{
-    json out = json_begin(stdout);
-    json_object(&out, NULL);
-    json_text(&out, "output", output);
-    json_unsigned(&out, "width", s->canvas.width);
-    json_unsigned(&out, "height", s->canvas.height);
-    json_end(&out);
-}
-
 static int make_sheet(sheet* s, const arguments* common, const char* photo, const char* output)
 {
     weft_model* model = NULL;
@@ -143,7 +132,7 @@ static int make_sheet(sheet* s, const arguments* common, const char* photo, cons
     s->code = code;
     if (code == EXIT_FINE) draw(s, common->operand[0]);
     if (s->code == EXIT_FINE) s->code = canvas_write(&s->canvas, output);
-    if (s->code == EXIT_FINE && common->json) report(s, output);
+    if (s->code == EXIT_FINE && common->json) sheet_report(s, output);
     weft_model_free(model);
     weft_context_free(s->context);
     return s->code;
