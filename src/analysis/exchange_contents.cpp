@@ -9,7 +9,7 @@ namespace weft {
 namespace {
 
 constexpr float good_error = 0.12f, poor_error = 0.24f; ///< along a contour; 1 is chance
-constexpr float hopeless = 0.6f;                        ///< near the border: no contour will be good enough
+constexpr float hopeless = 0.5f;                        ///< near the border: no contour will be good enough
 constexpr std::uint32_t wanted = 4, most_borne = 12, most_others = 8, most_per_transform = 3;
 constexpr std::uint32_t transforms = turns_offered * scales_offered, most_kept = most_borne + most_others;
 constexpr std::uint32_t least_depth = 40; ///< of a patch that shows anything within contour and feather
@@ -36,9 +36,16 @@ struct Mapped_view {
     Array<Patch_frame> frames;
 };
 
-/// Of a transform the contents of least error along their contours, in order; returns how many.
-std::uint32_t best_of(std::pmr::memory_resource* memory, const Search_pictures& pictures, const Patch_shape& shape,
-                      std::uint32_t transform, Kept* best)
+/// What was found of all transforms of a patch, each in order of the errors along their contours.
+struct Offers {
+    Kept kept[transforms][most_per_transform];
+    std::uint32_t count[transforms];
+};
+
+bool better(const Kept& a, const Kept& b) noexcept { return a.contour.error < b.contour.error; }
+
+void search(std::pmr::memory_resource* memory, const Search_pictures& pictures, const Patch_shape& shape,
+            std::uint32_t transform, Offers& offers)
 {
     Found found[most_found];
     const std::uint32_t count =
@@ -47,10 +54,9 @@ std::uint32_t best_of(std::pmr::memory_resource* memory, const Search_pictures& 
     std::uint32_t cut = 0;
     for (std::uint32_t i = 0; i < count; ++i)
         if (found[i].error < hopeless) all[cut++] = {found[i], contour_of(pictures, shape, found[i])};
-    std::stable_sort(all, all + cut, [](const Kept& a, const Kept& b) { return a.contour.error < b.contour.error; });
-    const std::uint32_t kept = std::min(cut, most_per_transform);
-    std::copy_n(all, kept, best);
-    return kept;
+    std::stable_sort(all, all + cut, better);
+    offers.count[transform] = std::min(cut, most_per_transform);
+    std::copy_n(all, offers.count[transform], offers.kept[transform]);
 }
 
 bool alike(const Found& a, const Found& b, std::int32_t far) noexcept
@@ -74,23 +80,18 @@ void keep(const Kept* all, std::uint32_t count, std::uint32_t most, std::int32_t
     }
 }
 
-void search(std::pmr::memory_resource* memory, const Search_pictures& pictures, const Patch_shape& shape,
-            const Bearing& bearing, Candidate_patch& patch)
+/// The best of those transforms that are borne, or of the others.
+void choose(const Offers& offers, const Bearing& bearing, bool borne, std::int32_t far, Candidate_patch& patch)
 {
-    if (shape.deepest < least_depth) return;
-    Kept borne[transforms * most_per_transform], others[transforms * most_per_transform];
-    std::uint32_t borne_count = 0, others_count = 0;
+    Kept all[transforms * most_per_transform];
+    std::uint32_t count = 0;
     for (std::uint32_t t = 0; t < transforms; ++t)
-        if (bearing.bears(t / scales_offered, t % scales_offered))
-            borne_count += best_of(memory, pictures, shape, t, borne + borne_count);
-        else
-            others_count += best_of(memory, pictures, shape, t, others + others_count);
-    const auto better = [](const Kept& a, const Kept& b) { return a.contour.error < b.contour.error; };
-    std::stable_sort(borne, borne + borne_count, better);
-    std::stable_sort(others, others + others_count, better);
-    const auto far = static_cast<std::int32_t>(std::max(pictures.scaled[0].width, pictures.scaled[0].height) / 24);
-    keep(borne, borne_count, most_borne, far, patch);
-    keep(others, others_count, most_others, far, patch);
+        if (bearing.bears(t / scales_offered, t % scales_offered) == borne) {
+            std::copy_n(offers.kept[t], offers.count[t], all + count);
+            count += offers.count[t];
+        }
+    std::stable_sort(all, all + count, better);
+    keep(all, count, borne ? most_borne : most_others, far, patch);
 }
 
 using Mapped_views = std::pmr::vector<Mapped_view>;
@@ -99,13 +100,13 @@ Mapped_views views_of(Core& core, const Features& features, const Wang& wang, co
 {
     const float side = std::max(least_side, static_cast<float>(std::min(features.width, features.height)) / sides);
     Mapped_views views(wang.colours ? 2 * wang.colours : 1, &core.memory);
-    for_each_step(core, static_cast<std::uint32_t>(views.size()), 100.0 * static_cast<double>(features.pixels.size()),
-                  progress, [&](std::uint32_t i) {
-                      Mapped_view& to = views[i];
-                      to.view = wang.colours ? diamond_view(&core.memory, wang, i) : torus_view(&core.memory, features);
-                      to.patches = patches_of(&core.memory, features, to.view, side);
-                      to.frames = frames_of(&core.memory, to.view, to.patches);
-                  });
+    for (std::uint32_t i = 0; i < views.size(); ++i) {
+        Mapped_view& to = views[i];
+        const double all = static_cast<double>(views.size());
+        to.view = wang.colours ? diamond_view(&core.memory, wang, i) : torus_view(&core.memory, features);
+        to.patches = patches_of(core, features, to.view, side, progress.part(i / all, (i + 1) / all));
+        to.frames = frames_of(&core.memory, to.view, to.patches);
+    }
     return views;
 }
 
@@ -187,14 +188,20 @@ Exchange exchange_of(Core& core, const Features& features, const Wang& wang, con
     const Mapped_views views = views_of(core, features, wang, progress.part(0, 0.15));
     const Search_pictures pictures = search_pictures_of(core, features, bounds);
     Array<Candidate_patch> candidates = candidates_of(core, views);
-    for_each_step(core, static_cast<std::uint32_t>(candidates.size()), 2e7, progress.part(0.15, 1),
-                  [&](std::uint32_t i) {
-                      Candidate_patch& patch = candidates[i];
-                      const Mapped_view& view = views[patch.view];
-                      const Patch_shape shape =
-                          shape_of(&core.memory, features, view.view, view.patches, patch.frame, patch.patch);
-                      search(&core.memory, pictures, shape, bearing, patch);
-                  });
+    const auto count = static_cast<std::uint32_t>(candidates.size());
+    Array<Offers> offers(&core.memory, count);
+    for_each_step(core, count * turns_offered, 4e6, progress.part(0.15, 1), [&](std::uint32_t i) {
+        const Candidate_patch& patch = candidates[i / turns_offered];
+        const Mapped_view& view = views[patch.view];
+        const Patch_shape shape = shape_of(&core.memory, features, view.view, view.patches, patch.frame, patch.patch);
+        if (shape.deepest < least_depth) return;
+        for (std::uint32_t scale = 0; scale < scales_offered; ++scale)
+            search(&core.memory, pictures, shape, i % turns_offered * scales_offered + scale,
+                   offers[i / turns_offered]);
+    });
+    const auto far = static_cast<std::int32_t>(std::max(features.width, features.height) / 24);
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (const bool borne : {true, false}) choose(offers[i], bearing, borne, far, candidates[i]);
     if (std::none_of(candidates.begin(), candidates.end(), [](const Candidate_patch& p) { return p.count > 0; }))
         return {};
     return tables_of(core, features, views, candidates);

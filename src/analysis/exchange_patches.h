@@ -1,10 +1,9 @@
 /// The patches of a view: compact regions of like pixels, whose borders follow edges, and how deep texels lie in them.
 #pragma once
-#include "analysis/exchange_view.h"
+#include "analysis/exchange_pieces.h"
+#include "base/progress.h"
 
 namespace weft {
-
-constexpr std::uint32_t no_patch = 0xffffffffU;
 
 struct Patches_of_view {
     std::uint32_t count = 0;
@@ -13,6 +12,7 @@ struct Patches_of_view {
 };
 
 /// Patches of about `side` texels a side: SLIC (Achanta et al. 2012).
-Patches_of_view patches_of(std::pmr::memory_resource* memory, const Features& features, const View& view, float side);
+Patches_of_view patches_of(Core& core, const Features& features, const View& view, float side,
+                           const Progress& progress);
 
 } // namespace weft

@@ -8,6 +8,7 @@ namespace weft {
 namespace {
 
 constexpr float lattice_peak = 0.5f;
+constexpr double like = 0.1, unlike = 0.2; ///< of histograms
 constexpr std::uint32_t directions = 64, octant = directions / 8;
 
 struct Histogram {
@@ -25,22 +26,29 @@ double direction_of(double x, double y) noexcept
     return eighths * octant;
 }
 
-/// Of the gradients in a part of the picture, smoothed over five directions.
+/// Of the gradients in a part of the picture.
 Histogram histogram_of(const Features& features, std::uint32_t left, std::uint32_t top, std::uint32_t right,
                        std::uint32_t bottom)
 {
-    Histogram raw, smooth;
-    double all = 0;
+    Histogram histogram;
     for (std::size_t y = top + 1; y + 1 < bottom; ++y)
         for (std::size_t x = left + 1; x + 1 < right; ++x)
             for (int c = 0; c < 4; ++c) {
                 const auto dx = static_cast<double>(features.at(x + 1, y).value[c] - features.at(x - 1, y).value[c]),
                            dy = static_cast<double>(features.at(x, y + 1).value[c] - features.at(x, y - 1).value[c]);
                 const double square = dx * dx + dy * dy;
-                if (square <= 0) continue;
-                raw.share[static_cast<std::uint32_t>(direction_of(dx, dy)) % directions] += square;
-                all += square;
+                if (square > 0)
+                    histogram.share[static_cast<std::uint32_t>(direction_of(dx, dy)) % directions] += square;
             }
+    return histogram;
+}
+
+/// Over five directions, its sum 1.
+Histogram smoothed(const Histogram& raw) noexcept
+{
+    Histogram smooth;
+    double all = 0;
+    for (const double share : raw.share) all += share;
     for (std::uint32_t i = 0; i < directions && all > 0; ++i)
         for (std::uint32_t k = 0; k < 5; ++k)
             smooth.share[i] += raw.share[(i + k + directions - 2) % directions] / (5 * all);
@@ -56,22 +64,36 @@ double difference_of(const Histogram& a, const Histogram& b, std::uint32_t eight
     return sum;
 }
 
-std::uint32_t turns_of(Core& core, const Features& features)
+struct Turns {
+    std::uint32_t borne = 1;
+    bool right_angles = false; ///< courses and columns: like themselves after a quarter of a turn, not after an eighth
+};
+
+Turns turns_of(Core& core, const Features& features)
 {
     Features smooth = blurred(core, features, 0.5f); // four times: a deviation of 1.4 pixels
     for (int i = 0; i < 3; ++i) smooth = blurred(core, smooth, 0.5f);
     const std::uint32_t w = features.width, h = features.height;
-    const Histogram whole = histogram_of(smooth, 0, 0, w, h);
-    double between = 0; // how much four parts of it differ by themselves
-    for (std::uint32_t k = 0; k < 4; ++k) {
+    Histogram quarters[4], whole;
+    core.parallel.for_each_index(4, [&](std::uint32_t k) {
         const std::uint32_t left = k % 2 * (w / 2), top = k / 2 * (h / 2);
-        between += difference_of(whole, histogram_of(smooth, left, top, left + w / 2, top + h / 2), 0) / 4;
+        quarters[k] = histogram_of(smooth, left, top, left + w / 2, top + h / 2);
+    });
+    for (const Histogram& quarter : quarters)
+        for (std::uint32_t i = 0; i < directions; ++i) whole.share[i] += quarter.share[i];
+    whole = smoothed(whole);
+    double between = 0; // how much the quarters differ by themselves
+    for (const Histogram& quarter : quarters) between += difference_of(whole, smoothed(quarter), 0) / 4;
+    double difference[5];
+    Turns turns;
+    for (std::uint32_t turn = 1; turn <= 4; ++turn) {
+        difference[turn] = difference_of(whole, whole, turn);
+        if (difference[turn] <= std::max(like, 1.5 * between)) turns.borne |= 1U << turn;
     }
-    std::uint32_t turns = 1;
-    for (std::uint32_t turn = 1; turn <= 4; ++turn)
-        if (difference_of(whole, whole, turn) <= std::max(0.1, 1.5 * between)) turns |= 1U << turn;
     constexpr std::uint32_t oblique = 0b01110; // what does not bear all of these has directions
-    return (turns & oblique) == oblique ? turns : turns & ~oblique;
+    if ((turns.borne & oblique) != oblique) turns.borne &= ~oblique;
+    turns.right_angles = difference[1] > std::max(unlike, 1.5 * difference[2]);
+    return turns;
 }
 
 } // namespace
@@ -79,9 +101,10 @@ std::uint32_t turns_of(Core& core, const Features& features)
 Bearing bearing_of(Core& core, const Features& features, const Correlation& correlation)
 {
     Bearing bearing;
-    bearing.lattice = correlation.far_peak() > lattice_peak;
+    const Turns turns = turns_of(core, features);
+    bearing.lattice = turns.right_angles || correlation.far_peak() > lattice_peak;
     if (bearing.lattice) return bearing;
-    bearing.turns = turns_of(core, features);
+    bearing.turns = turns.borne;
     const bool isotropic = (bearing.turns & 2) != 0;
     bearing.scales = isotropic ? 3 : 2;
     bearing.turbulence = isotropic ? 5 : 3;

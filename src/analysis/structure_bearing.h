@@ -5,7 +5,7 @@
 namespace weft {
 
 struct Bearing {
-    bool lattice = false;     ///< what repeats regularly bears no deformation, and no tiles that do not repeat with it
+    bool lattice = false;     ///< repeats, or has courses and columns: bears no deformation, nor diagonal cuts of tiles
     std::uint32_t turns = 1;  ///< bits 0..4: rotations by so many eighths of a turn
     std::uint32_t scales = 1; ///< of those offered, from the first on
     float turbulence = 0;     ///< amplitude of a smooth distortion in pixels

@@ -24,7 +24,7 @@ Array<float> gaussian(std::pmr::memory_resource* memory, std::uint32_t size)
 
 } // namespace
 
-Correlation::Correlation(Core& core, const Features& features)
+Correlation::Correlation(Core& core, const Features& features, const Progress& progress)
     : width_(features.width), height_(features.height),
       sums_(&core.memory, fast_length(width_ * 3 / 2 + 1), fast_length(height_ * 3 / 2 + 1), 1)
 {
@@ -36,6 +36,7 @@ Correlation::Correlation(Core& core, const Features& features)
             for (std::size_t x = 0; x < width_; ++x) sums_.row(0, y)[x] = features.at(x, y).value[c];
         transform.forward(sums_.plane(0), spectrum, 0);
         for (std::size_t i = 0; i < power.values.size(); ++i) power.values[i] += std::norm(spectrum.values[i]);
+        progress.at((c + 1) / 5.0);
     }
     const Array<float> across = gaussian(&core.memory, sums_.width), down = gaussian(&core.memory, sums_.height);
     for (std::size_t y = 0; y < sums_.height; ++y)
