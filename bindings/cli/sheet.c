@@ -89,14 +89,14 @@ static void show_levels(sheet* s)
     }
 }
 
-/* A noise of a small period, a picture of its own, at a level that lets it fit three times. */
+/* A noise of a small period, what has a picture in it of that one's, at a level that lets it fit three times. */
 static void show_repeat(sheet* s)
 {
     enum { PERIOD = 160, TIMES = 3 };
     const tones plain = {0, 1};
     weft_texture_options options = WEFT_TEXTURE_OPTIONS_INIT;
-    const int picture = s->info.method == WEFT_METHOD_PICTURE;
-    uint32_t period_x = picture ? s->info.width : PERIOD, period_y = picture ? s->info.height : PERIOD, level = 0;
+    const int noise = s->info.method == WEFT_METHOD_TEXTON || s->info.method == WEFT_METHOD_WAVELET;
+    uint32_t period_x = noise ? PERIOD : s->info.width, period_y = noise ? PERIOD : s->info.height, level = 0;
     options.seed = 1;
     options.period_x = period_x;
     options.period_y = period_y;
