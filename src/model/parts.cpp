@@ -25,20 +25,26 @@ Part numbered(std::string_view name, std::uint32_t number) noexcept
     return part;
 }
 
-/// `channels` planes from `first` on.
-Part with(Part part, const Planes& planes, std::size_t first, std::uint32_t channels) noexcept
+void set(Part& part, const Planes& planes, std::size_t first, std::uint32_t channels) noexcept
 {
     part.values = planes.plane(first);
     part.width = planes.width;
     part.height = planes.height;
     part.channels = channels;
+}
+
+/// `channels` planes from `first` on.
+Part with(Part part, const Planes& planes, std::size_t first, std::uint32_t channels) noexcept
+{
+    set(part, planes, first, channels);
     return part;
 }
 
 Part with_made(Part part, Planes planes) noexcept
 {
     part.made = std::move(planes);
-    return with(std::move(part), part.made, 0, part.made.count);
+    set(part, part.made, 0, part.made.count);
+    return part;
 }
 
 /// x and y as two planes.
