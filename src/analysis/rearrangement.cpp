@@ -12,8 +12,8 @@ void arrange_structure(Core& core, std::uint32_t channels, const weft_bilayer_op
     Features features = features_of(core, channels, bilayer.structure);
     if (features.empty()) return; // all pixels are alike: there is nothing to rearrange
     progress.at(0.02);
-    const Correlation correlation(core, features, progress.part(0.02, 0.05));
-    const Bearing bearing = bearing_of(core, features, correlation);
+    const Correlation correlation(core, features, progress.part(0.02, 0.04));
+    const Bearing bearing = bearing_of(core, features, correlation, progress.part(0.04, 0.05));
     bilayer.turns = bearing.turns;
     bilayer.least_scale = offered_scale[bearing.scales - 1];
     bilayer.turbulence = bearing.turbulence;

@@ -69,10 +69,14 @@ struct Turns {
     bool right_angles = false; ///< courses and columns: like themselves after a quarter of a turn, not after an eighth
 };
 
-Turns turns_of(Core& core, const Features& features)
+Turns turns_of(Core& core, const Features& features, const Progress& progress)
 {
     Features smooth = blurred(core, features, 0.5f); // four times: a deviation of 1.4 pixels
-    for (int i = 0; i < 3; ++i) smooth = blurred(core, smooth, 0.5f);
+    for (int i = 0; i < 3; ++i) {
+        progress.at((i + 1) / 5.0);
+        smooth = blurred(core, smooth, 0.5f);
+    }
+    progress.at(0.8);
     const std::uint32_t w = features.width, h = features.height;
     Histogram quarters[4], whole;
     core.parallel.for_each_index(4, [&](std::uint32_t k) {
@@ -98,10 +102,10 @@ Turns turns_of(Core& core, const Features& features)
 
 } // namespace
 
-Bearing bearing_of(Core& core, const Features& features, const Correlation& correlation)
+Bearing bearing_of(Core& core, const Features& features, const Correlation& correlation, const Progress& progress)
 {
     Bearing bearing;
-    const Turns turns = turns_of(core, features);
+    const Turns turns = turns_of(core, features, progress);
     bearing.lattice = turns.right_angles || correlation.far_peak() > lattice_peak;
     if (bearing.lattice) return bearing;
     bearing.turns = turns.borne;

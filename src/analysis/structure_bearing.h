@@ -16,6 +16,6 @@ struct Bearing {
     }
 };
 
-Bearing bearing_of(Core& core, const Features& features, const Correlation& correlation);
+Bearing bearing_of(Core& core, const Features& features, const Correlation& correlation, const Progress& progress);
 
 } // namespace weft

@@ -191,6 +191,7 @@ Table table_of(Core& core, const Features& features, const Wang& coarse, std::ui
         describe(features, of, coarse.width, coarse.height, table.north[i]);
         describe(features, of, coarse.width, coarse.height, table.west[i]);
     });
+    progress.at(0);
     core.parallel.for_each_index(2 * candidates, [&](std::uint32_t i) {
         const auto corner = [&](std::uint32_t k) {
             return k < candidates ? table.north[k].corner : table.west[k - candidates].corner;
@@ -198,6 +199,7 @@ Table table_of(Core& core, const Features& features, const Wang& coarse, std::ui
         for (std::uint32_t j = 0; j < 2 * candidates; ++j)
             table.common[std::size_t{i} * 2 * candidates + j] = common_of(features, table, corner(i), corner(j));
     });
+    progress.at(0);
     const double cost = 4.0 * candidates * 20 * coarse.knots * coarse.knots;
     for_each_step(core, candidates, cost, progress, [&](std::uint32_t i) {
         for (std::uint32_t j = 0; j < candidates; ++j)
