@@ -3,8 +3,6 @@
 /// these show, its values; each round asks for the memory that the next one reads, since places lie scattered. Included
 /// by rows.inl, inside its unnamed namespace.
 
-constexpr uint32_t composed_together = 32; ///< places
-
 /// Four texels that are joined: the first of them, floats to those below it, weights.
 struct Taps {
     const float* from;
@@ -26,21 +24,27 @@ struct Shares {
 
 /// What some places show, in lists that are read in the order in which they were written.
 struct Composition {
-    View views[2 * composed_together];
-    Shown shown[4 * composed_together];
+    View views[most_views];
+    Shown shown[2 * most_views];
     Shares shares[composed_together];
 };
+
+/// A texel of the copy of a level.
+inline Taps taps_from(const Composed& c, int32_t level, int32_t x, int32_t y, float tx, float ty)
+{
+    const Texels& texels = c.texels[level];
+    const float* from = texels.data + y * texels.row + x * int64_t(8) * c.groups;
+    __builtin_prefetch(from);
+    __builtin_prefetch(from + texels.row);
+    return {from, int32_t(texels.row), tx, ty};
+}
 
 inline Taps taps_at(const Composed& c, const Spot_place& at, int32_t level)
 {
     const weft_mip& mip = c.tile->source->level[level];
     const weft_pair x = weft_pair_at(at.x, level, mip.scale_x, mip.width);
     const weft_pair y = weft_pair_at(at.y, level, mip.scale_y, mip.height);
-    const Texels& texels = c.texels[level];
-    const float* from = texels.data + y.first * texels.row + x.first * int64_t(8) * c.groups;
-    __builtin_prefetch(from);
-    __builtin_prefetch(from + texels.row);
-    return {from, int32_t(texels.row), x.t, y.t};
+    return taps_from(c, level, x.first, y.first, x.t, y.t);
 }
 
 inline void show(const Composed& c, const Spot_place& at, const weft_between& level, Shown& shown)
@@ -77,6 +81,39 @@ void find_composition(const Composed& c, const Axis_places* places, uint32_t beg
         Shares& shares = found.shares[i];
         shares.content = show_view(c, looker, *view++, 0, shown);
         if (shares.second > 0) shares.second_content = show_view(c, looker, *view++, 1, shown);
+    }
+}
+
+/// Appends what view v shows to a list; the share of its content.
+inline float show_view(const Composed& c, const Composer& composer, const weft_between& level, uint32_t v,
+                       uint32_t slot, Shown*& shown)
+{
+    const Content content = composer.content(v, slot);
+    if (!(content.share >= 1)) {
+        const auto taps = [&](bool next) {
+            const Base_axis &x = composer.bases(0, next), &y = composer.bases(1, next);
+            return taps_from(c, level.whole + (next ? 1 : 0), x.first[v], y.first[v], x.t[v], y.t[v]);
+        };
+        shown->fine = taps(false);
+        shown->t = level.t;
+        if (level.t > 0) shown->coarse = taps(true);
+        ++shown;
+    }
+    if (content.share > 0) show(c, content.source, content.level, *shown++);
+    return content.share >= 1 ? 0 : content.share;
+}
+
+/// The same, for many places.
+void find_composition(const Composed& c, const Composer& composer, const weft_between& level, uint32_t count,
+                      Composition& found)
+{
+    Shown* shown = found.shown;
+    uint32_t second = composed_together;
+    for (uint32_t i = 0; i < count; ++i) {
+        Shares& shares = found.shares[i];
+        shares.second = composer.share(i) >= 1 ? 0 : composer.share(i);
+        shares.content = show_view(c, composer, level, i, 0, shown);
+        if (shares.second > 0) shares.second_content = show_view(c, composer, level, second++, 1, shown);
     }
 }
 
@@ -156,7 +193,13 @@ void compose(const Composed& c, const Axis_places* places, uint32_t count, float
     const uint32_t last = first + planes;
     for (uint32_t n = 0; n < count; n += composed_together) {
         const uint32_t some = count - n < composed_together ? count - n : composed_together;
-        find_composition(c, places, n, some, looker, found);
+        if (some < composed_together / 4) {
+            find_composition(c, places, n, some, looker, found);
+        } else {
+            Composer composer(c, looker);
+            composer.find(places, n, some);
+            find_composition(c, composer, looker.level(), some, found);
+        }
         for (uint32_t p = first / 8 * 8; p < last; p += 8) {
             const uint32_t begin = p > first ? p : first, end = p + 8 < last ? p + 8 : last;
             write_planes(found, 8 * c.groups, p, begin, end, some, f + (begin - first) * pitch + n, pitch);

@@ -82,9 +82,8 @@ public:
         const weft_knot knot = weft_wang_knot(x.distance, y.distance, wang.knots);
         const size_t row = weft_wang_contour(y.second, x.second, a, b, wang.colours);
         const int8_t* depths = wang.contours + row * (wang.knots + 1) + knot.k;
-        const float* sharp = wang.sharp + size_t(level_.whole) * (wang.knots + 1) + knot.k;
-        const float share = weft_wang_share(knot, float(depths[0]), float(depths[1]), between(sharp, wang.knots + 1),
-                                            between(sharp + 1, wang.knots + 1));
+        const float share = weft_wang_share(knot, float(depths[0]), float(depths[1]), sharp(uint32_t(knot.k)),
+                                            sharp(uint32_t(knot.k) + 1));
         if (share > 0) first = view(at.x, {north, y.texel, at.y.fraction}, a);
         if (!(share >= 1)) second = view({west, x.texel, at.x.fraction}, at.y, wang.colours + b);
         return share;
@@ -96,7 +95,8 @@ public:
         const uint32_t* map = map_of(view.map);
         const float depth = depth_at(map, view.cell);
         if (!(depth > 0)) return {};
-        return content(view.cell, map[size_t(view.cell.y.texel) * tile_.width + size_t(view.cell.x.texel)], depth, slot);
+        return content(view.cell, map[size_t(view.cell.y.texel) * tile_.width + size_t(view.cell.x.texel)], depth,
+                       slot);
     }
 
     /// The same where the map has this entry and this depth, which is above 0.
@@ -116,6 +116,13 @@ public:
     const uint32_t* map_of(uint32_t view) const
     {
         return tile_.exchange->map + size_t(view) * tile_.width * tile_.height;
+    }
+
+    /// Sharpness of contours at a knot.
+    float sharp(uint32_t knot) const
+    {
+        const weft_wang& wang = *tile_.wang;
+        return between(wang.sharp + size_t(level_.whole) * (wang.knots + 1) + knot, wang.knots + 1);
     }
 
     /// Colour of a cell's north edge, of its west edge.

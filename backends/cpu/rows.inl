@@ -34,6 +34,8 @@ namespace {
 #include "mix_lanes.inl"
 #include "surface_gather.inl"
 
+#include "compose_lanes.inl"
+
 #include "compose_gather.inl"
 #endif
 

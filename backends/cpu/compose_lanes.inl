@@ -1,0 +1,252 @@
+/// Views of many places at once: what depends on no hash and no patch goes through vectors of places. The same bits as
+/// Looker's. Included by rows.inl, inside its unnamed namespace.
+
+constexpr uint32_t composed_together = 32; ///< places
+constexpr uint32_t most_views = 2 * composed_together;
+
+/// One axis of some places: where in the cell, how many cells to the side displacement took them; then, for Wang tiles,
+/// weft_half.
+struct Lane_axis {
+    alignas(64) int32_t texel[composed_together], side[composed_together];
+    alignas(64) float fraction[composed_together];
+    alignas(64) int32_t second[composed_together], seen[composed_together];
+    alignas(64) float distance[composed_together];
+};
+
+/// Neighbouring places in one quarter of one cell. Of both views, that of the north or south edge and the other: cell,
+/// map, corner of the diamond.
+struct Quarter {
+    int64_t cell[2][2]; ///< of axis, of view
+    int32_t corner[2][2];
+    uint32_t map[2];
+    size_t contour;
+};
+
+/// One axis of views: where in the view's cell, where in the source, and the taps of the map.
+struct View_axis {
+    alignas(64) int32_t texel[most_views], corner[most_views], base[most_views], first[most_views], next[most_views];
+    alignas(64) float fraction[most_views], t[most_views];
+};
+
+/// One axis of where the bases of views are read at one level.
+struct Base_axis {
+    alignas(64) int32_t first[most_views];
+    alignas(64) float t[most_views];
+};
+
+class Composer {
+public:
+    Composer(const Composed& c, Looker& looker) : c_(c), tile_(*c.tile), looker_(looker) {}
+
+    /// Places begin..begin + count - 1, at most composed_together. The first view of place i is view i; second views,
+    /// which only some places have, come from view composed_together on.
+    void find(const Axis_places* places, uint32_t begin, uint32_t count)
+    {
+        const float steps[2] = {tile_.x.step, tile_.y.step};
+        for (uint32_t a = 0; a < 2; ++a) move(places[a], begin, count, steps[a], size(a), axis_[a]);
+        if (tile_.wang) halve();
+        find_quarters(places, begin, count);
+        for (uint32_t i = 0; i < composed_together; ++i) share_[i] = 1;
+        if (tile_.wang) find_shares();
+        choose(count);
+        find_bases();
+        if (tile_.exchange) find_depths();
+    }
+
+    /// Of the north or south edge's view, which is the first one if it is 1 and the second one if it is between 0
+    /// and 1.
+    float share(uint32_t i) const { return share_[i]; }
+
+    /// Where the base of a view is read, at the level of the places or the next one.
+    const Base_axis& bases(uint32_t axis, bool next) const { return bases_[next ? 1 : 0][axis]; }
+
+    Content content(uint32_t v, uint32_t slot) const
+    {
+        if (!tile_.exchange || !(depth_[v] > 0)) return {};
+        const Quarter& q = quarters_[quarter_[v]];
+        return looker_.content({{q.cell[0][which_[v]], view_[0].texel[v], view_[0].fraction[v]},
+                                {q.cell[1][which_[v]], view_[1].texel[v], view_[1].fraction[v]}},
+                               entry_[v], depth_[v], slot);
+    }
+
+private:
+    uint32_t size(uint32_t a) const { return a == 0 ? tile_.width : tile_.height; }
+
+    static void move(const Axis_places& places, uint32_t begin, uint32_t count, float step, uint32_t size,
+                     Lane_axis& to)
+    {
+        alignas(64) float moved[composed_together] = {0};
+        for (uint32_t i = 0; i < composed_together; ++i) {
+            const uint32_t last = begin + (i < count ? i : count - 1), n = last * places.step;
+            to.texel[i] = places.texel[n];
+            to.fraction[i] = places.fraction[n];
+            to.side[i] = 0;
+            if (places.moved) moved[i] = places.moved[last];
+        }
+        if (!places.moved) return;
+        for (uint32_t i = 0; i < composed_together; ++i) {
+            const weft_place at = weft_displace({0, to.texel[i], to.fraction[i]}, moved[i], step, size, 0);
+            to.texel[i] = at.texel;
+            to.fraction[i] = at.fraction;
+            to.side[i] = int32_t(at.cell);
+        }
+    }
+
+    void halve()
+    {
+        for (uint32_t a = 0; a < 2; ++a) {
+            Lane_axis& axis = axis_[a];
+            const float unit = a == 0 ? tile_.wang->unit_x : tile_.wang->unit_y;
+            for (uint32_t i = 0; i < composed_together; ++i) {
+                const weft_half half = weft_half_at({0, axis.texel[i], axis.fraction[i]}, size(a), unit);
+                axis.second[i] = int32_t(half.second);
+                axis.seen[i] = half.texel;
+                axis.distance[i] = half.distance;
+            }
+        }
+    }
+
+    int64_t cell(const Axis_places& places, uint32_t a, uint32_t n, uint32_t i) const
+    {
+        const int64_t cell = places.cell[n * places.step];
+        if (axis_[a].side[i] == 0) return cell;
+        return axis_[a].side[i] > 0 ? weft_cell_after(cell, c_.cells[a]) : weft_cell_before(cell, c_.cells[a]);
+    }
+
+    bool same_half(uint32_t i, uint32_t j) const
+    {
+        return axis_[0].second[i] == axis_[0].second[j] && axis_[1].second[i] == axis_[1].second[j];
+    }
+
+    void find_quarters(const Axis_places* places, uint32_t begin, uint32_t count)
+    {
+        uint32_t quarters = 0;
+        int64_t x = 0, y = 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            const int64_t next_x = cell(places[0], 0, begin + i, i), next_y = cell(places[1], 1, begin + i, i);
+            if (i == 0 || next_x != x || next_y != y || (tile_.wang && !same_half(i, i - 1))) {
+                x = next_x;
+                y = next_y;
+                quarters_[quarters++] = quarter(x, y, i);
+            }
+            quarter_[i] = quarters - 1;
+        }
+        for (uint32_t i = count; i < composed_together; ++i) quarter_[i] = quarters - 1;
+    }
+
+    /// That of place i, in a cell.
+    Quarter quarter(int64_t x, int64_t y, uint32_t i)
+    {
+        if (!tile_.wang) return {{{x, x}, {y, y}}, {{0, 0}, {0, 0}}, {0, 0}, 0};
+        const weft_wang& wang = *tile_.wang;
+        const uint32_t east = uint32_t(axis_[0].second[i]), south = uint32_t(axis_[1].second[i]);
+        const int64_t west = east != 0 ? weft_cell_after(x, c_.cells[0]) : x;
+        const int64_t north = south != 0 ? weft_cell_after(y, c_.cells[1]) : y;
+        const uint32_t a = looker_.north(x, north), b = looker_.west(west, y);
+        const weft_diamond &first = wang.diamonds[a], &second = wang.diamonds[wang.colours + b];
+        return {{{x, west}, {north, y}},
+                {{first.x, second.x}, {first.y, second.y}},
+                {a, wang.colours + b},
+                size_t(weft_wang_contour(south, east, a, b, wang.colours)) * (wang.knots + 1)};
+    }
+
+    void find_shares()
+    {
+        const weft_wang& wang = *tile_.wang;
+        alignas(64) weft_knot knots[composed_together];
+        alignas(64) float depths[2][composed_together], sharp[2][composed_together];
+        for (uint32_t i = 0; i < composed_together; ++i)
+            knots[i] = weft_wang_knot(axis_[0].distance[i], axis_[1].distance[i], wang.knots);
+        for (uint32_t i = 0; i < composed_together; ++i) {
+            const int8_t* depth = wang.contours + quarters_[quarter_[i]].contour + knots[i].k;
+            for (uint32_t n = 0; n < 2; ++n) {
+                depths[n][i] = float(depth[n]);
+                sharp[n][i] = looker_.sharp(uint32_t(knots[i].k) + n);
+            }
+        }
+        for (uint32_t i = 0; i < composed_together; ++i)
+            share_[i] = weft_wang_share(knots[i], depths[0][i], depths[1][i], sharp[0][i], sharp[1][i]);
+    }
+
+    /// View v is one of place i, that of the north or south edge if `other` is 0.
+    void set_view(uint32_t v, uint32_t i, uint32_t other)
+    {
+        quarter_[v] = quarter_[i];
+        which_[v] = other;
+        for (uint32_t a = 0; a < 2; ++a) {
+            view_[a].texel[v] = tile_.wang && other != a ? axis_[a].seen[i] : axis_[a].texel[i];
+            view_[a].fraction[v] = axis_[a].fraction[i];
+            view_[a].corner[v] = quarters_[quarter_[i]].corner[a][other];
+        }
+    }
+
+    void choose(uint32_t count)
+    {
+        views_ = composed_together;
+        for (uint32_t i = 0; i < composed_together; ++i) set_view(i, i, share_[i] >= 1 ? 0 : 1);
+        for (uint32_t i = 0; i < count; ++i)
+            if (share_[i] > 0 && share_[i] < 1) set_view(views_++, i, 0);
+        while (views_ % 8 != 0) set_view(views_++, 0, 0);
+    }
+
+    void find_bases()
+    {
+        const weft_mips& source = *tile_.source;
+        const weft_between level = looker_.level();
+        for (uint32_t a = 0; a < 2; ++a) {
+            View_axis& view = view_[a];
+            const uint32_t length = a == 0 ? source.width : source.height;
+            for (uint32_t v = 0; v < views_; ++v) view.base[v] = weft_wang_texel(view.corner[v], view.texel[v], length);
+            for (uint32_t n = 0; n < (level.t > 0 ? 2u : 1u); ++n) {
+                const weft_mip& mip = source.level[uint32_t(level.whole) + n];
+                find_pairs(view.base, view.fraction, level.whole + int32_t(n), a == 0 ? mip.scale_x : mip.scale_y,
+                           a == 0 ? mip.width : mip.height, bases_[n][a].first, nullptr, bases_[n][a].t);
+            }
+        }
+    }
+
+    /// `next` may be null.
+    void find_pairs(const int32_t* texel, const float* fraction, int32_t level, float scale, uint32_t length,
+                    int32_t* __restrict first, int32_t* __restrict next, float* __restrict t) const
+    {
+        for (uint32_t v = 0; v < views_; ++v) {
+            const weft_pair pair = weft_pair_at({0, texel[v], fraction[v]}, level, scale, length);
+            first[v] = pair.first;
+            t[v] = pair.t;
+        }
+        for (uint32_t v = 0; v < views_ && next; ++v) next[v] = first[v] + 1 == int32_t(length) ? 0 : first[v] + 1;
+    }
+
+    void find_depths()
+    {
+        alignas(64) uint32_t entries[4][most_views];
+        const View_axis &x = view_[0], &y = view_[1];
+        for (uint32_t a = 0; a < 2; ++a)
+            find_pairs(view_[a].texel, view_[a].fraction, 0, 0.0f, size(a), view_[a].first, view_[a].next, view_[a].t);
+        for (uint32_t v = 0; v < views_; ++v) {
+            const uint32_t* map = looker_.map_of(quarters_[quarter_[v]].map[which_[v]]);
+            const uint32_t* upper = map + size_t(y.first[v]) * tile_.width;
+            const uint32_t* lower = map + size_t(y.next[v]) * tile_.width;
+            entries[0][v] = upper[x.first[v]];
+            entries[1][v] = upper[x.next[v]];
+            entries[2][v] = lower[x.first[v]];
+            entries[3][v] = lower[x.next[v]];
+            entry_[v] = map[size_t(y.texel[v]) * tile_.width + size_t(x.texel[v])];
+        }
+        for (uint32_t v = 0; v < views_; ++v)
+            depth_[v] = weft_depth(weft_map_depth(entries[0][v]), weft_map_depth(entries[1][v]),
+                                   weft_map_depth(entries[2][v]), weft_map_depth(entries[3][v]), x.t[v], y.t[v]);
+    }
+
+    const Composed& c_;
+    const weft_tile& tile_;
+    Looker& looker_;
+    Lane_axis axis_[2];
+    Quarter quarters_[composed_together];
+    alignas(64) float share_[composed_together];
+    uint32_t views_ = 0; ///< a multiple of 8
+    View_axis view_[2];
+    Base_axis bases_[2][2];
+    alignas(64) uint32_t quarter_[most_views], which_[most_views], entry_[most_views];
+    alignas(64) float depth_[most_views];
+};
