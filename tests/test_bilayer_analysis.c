@@ -215,7 +215,9 @@ static double recovered(const weft_image *photo, const unsigned char *regions, u
     options.noises = 2;
     options.support = 8;
     options.mask_window = window;
-    options.structure = WEFT_STRUCTURE_NONE;
+    options.structure = WEFT_STRUCTURE_WANG; /* else the masks may be cut to a torus */
+    options.filter_width = 2;
+    options.filter_iterations = 1;
     weft_model *model = analysed(photo, &options);
     weft_image masks[6];
     const uint32_t count = read_masks(model, masks);

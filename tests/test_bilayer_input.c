@@ -205,7 +205,7 @@ static void stopped_anywhere(void **state)
     assert_ok(weft_analyze_bilayer(context, &photo, &options, step, &all, &model));
     assert_true(all.last == 1);
     weft_model_free(model);
-    for (uint32_t stop = 1; stop <= all.count; stop += 1 + all.count / scaled(200, 40)) {
+    for (uint32_t stop = 1; stop <= all.count; stop += 1 + all.count / scaled(40, 10)) {
         Steps some = {0, stop, 0};
         model = NULL;
         assert_int_equal(weft_analyze_bilayer(context, &photo, &options, step, &some, &model), WEFT_ERROR_CANCELLED);

@@ -103,7 +103,7 @@ public:
         const auto range = std::minmax_element(luminance_.values.begin(), luminance_.values.end());
         const float least = *range.first, most = *range.second;
         if (least >= 0 && most <= 1) return;
-        gain_ = most > least ? 1 / (most - least) : 1; // values in 0..1, which sigma is a distance of
+        gain_ = most - least > 1e-30F ? 1 / (most - least) : 1; // values in 0..1, which sigma is a distance of
         for (float& value : luminance_.values) value = (value - least) * gain_;
     }
 
