@@ -172,7 +172,8 @@ void write_planes(const Composition& found, uint32_t width, uint32_t first, uint
     const Shown* shown = found.shown;
     for (uint32_t n = 0; n < count; n += 8) {
         const uint32_t some = count - n < 8 ? count - n : 8;
-        Pair values[8] = {};
+        Pair values[8];
+        for (uint32_t i = some; i < 8; ++i) values[i] = Pair{};
         for (uint32_t i = 0; i < some; ++i) values[i] = value_of(found.shares[n + i], shown, width, first);
         transpose(values);
         for (uint32_t p = begin; p < end; ++p) {

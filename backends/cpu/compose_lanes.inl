@@ -13,13 +13,13 @@ struct Lane_axis {
     alignas(64) float distance[composed_together];
 };
 
-/// Neighbouring places in one quarter of one cell. Of both views, that of the north or south edge and the other: cell,
-/// map, corner of the diamond.
-struct Quarter {
-    int64_t cell[2][2]; ///< of axis, of view
-    int32_t corner[2][2];
-    uint32_t map[2];
-    size_t contour;
+/// Quarters of cells that places lie in, and of each, both views, that of the north or south edge and the other: cells,
+/// corners of diamonds, maps.
+struct Quarters {
+    int64_t cell[2][most_views]; ///< of axis; view w of quarter q is at 2 q + w
+    alignas(64) int32_t corner[2][most_views];
+    const uint32_t* map[most_views];
+    alignas(64) int32_t contour[composed_together]; ///< of the quarter
 };
 
 /// One axis of views: where in the view's cell, where in the source, and the taps of the map.
@@ -63,9 +63,8 @@ public:
     Content content(uint32_t v, uint32_t slot) const
     {
         if (!tile_.exchange || !(depth_[v] > 0)) return {};
-        const Quarter& q = quarters_[quarter_[v]];
-        return looker_.content({{q.cell[0][which_[v]], view_[0].texel[v], view_[0].fraction[v]},
-                                {q.cell[1][which_[v]], view_[1].texel[v], view_[1].fraction[v]}},
+        return looker_.content({{quarters_.cell[0][of_[v]], view_[0].texel[v], view_[0].fraction[v]},
+                                {quarters_.cell[1][of_[v]], view_[1].texel[v], view_[1].fraction[v]}},
                                entry_[v], depth_[v], slot);
     }
 
@@ -77,6 +76,7 @@ private:
     {
         alignas(64) float moved[composed_together] = {0};
         for (uint32_t i = 0; i < composed_together; ++i) {
+            to.second[i] = 0;
             const uint32_t last = begin + (i < count ? i : count - 1), n = last * places.step;
             to.texel[i] = places.texel[n];
             to.fraction[i] = places.fraction[n];
@@ -113,41 +113,45 @@ private:
         return axis_[a].side[i] > 0 ? weft_cell_after(cell, c_.cells[a]) : weft_cell_before(cell, c_.cells[a]);
     }
 
-    bool same_half(uint32_t i, uint32_t j) const
-    {
-        return axis_[0].second[i] == axis_[0].second[j] && axis_[1].second[i] == axis_[1].second[j];
-    }
-
+    /// Neighbours are mostly in the same quarter. Cells of neighbours are less than 2^32 apart.
     void find_quarters(const Axis_places* places, uint32_t begin, uint32_t count)
     {
+        alignas(64) uint32_t cells[2][composed_together + 1], parts[composed_together + 1];
+        for (uint32_t a = 0; a < 2; ++a)
+            for (uint32_t i = 0; i < count; ++i) cells[a][i] = uint32_t(places[a].cell[(begin + i) * places[a].step]);
+        for (uint32_t i = 0; i < composed_together; ++i)
+            parts[i] = uint32_t(axis_[0].side[i] + 1 + 4 * (axis_[1].side[i] + 1) + 16 * axis_[0].second[i] +
+                                32 * axis_[1].second[i]);
         uint32_t quarters = 0;
-        int64_t x = 0, y = 0;
         for (uint32_t i = 0; i < count; ++i) {
-            const int64_t next_x = cell(places[0], 0, begin + i, i), next_y = cell(places[1], 1, begin + i, i);
-            if (i == 0 || next_x != x || next_y != y || (tile_.wang && !same_half(i, i - 1))) {
-                x = next_x;
-                y = next_y;
-                quarters_[quarters++] = quarter(x, y, i);
-            }
-            quarter_[i] = quarters - 1;
+            if (i == 0 || (parts[i] ^ parts[i - 1]) + (cells[0][i] ^ cells[0][i - 1]) + (cells[1][i] ^ cells[1][i - 1]))
+                set_quarter(quarters++, cell(places[0], 0, begin + i, i), cell(places[1], 1, begin + i, i), i);
+            quarter_[i] = int32_t(quarters) - 1;
         }
-        for (uint32_t i = count; i < composed_together; ++i) quarter_[i] = quarters - 1;
+        for (uint32_t i = count; i < composed_together; ++i) quarter_[i] = int32_t(quarters) - 1;
     }
 
-    /// That of place i, in a cell.
-    Quarter quarter(int64_t x, int64_t y, uint32_t i)
+    void set_view_of_quarter(uint32_t n, int64_t x, int64_t y, uint32_t map)
     {
-        if (!tile_.wang) return {{{x, x}, {y, y}}, {{0, 0}, {0, 0}}, {0, 0}, 0};
+        quarters_.cell[0][n] = x;
+        quarters_.cell[1][n] = y;
+        quarters_.corner[0][n] = tile_.wang ? tile_.wang->diamonds[map].x : 0;
+        quarters_.corner[1][n] = tile_.wang ? tile_.wang->diamonds[map].y : 0;
+        quarters_.map[n] = tile_.exchange ? looker_.map_of(map) : nullptr;
+    }
+
+    /// Quarter q is that of place i, in a cell.
+    void set_quarter(uint32_t q, int64_t x, int64_t y, uint32_t i)
+    {
+        if (!tile_.wang) return set_view_of_quarter(2 * q, x, y, 0);
         const weft_wang& wang = *tile_.wang;
         const uint32_t east = uint32_t(axis_[0].second[i]), south = uint32_t(axis_[1].second[i]);
         const int64_t west = east != 0 ? weft_cell_after(x, c_.cells[0]) : x;
         const int64_t north = south != 0 ? weft_cell_after(y, c_.cells[1]) : y;
         const uint32_t a = looker_.north(x, north), b = looker_.west(west, y);
-        const weft_diamond &first = wang.diamonds[a], &second = wang.diamonds[wang.colours + b];
-        return {{{x, west}, {north, y}},
-                {{first.x, second.x}, {first.y, second.y}},
-                {a, wang.colours + b},
-                size_t(weft_wang_contour(south, east, a, b, wang.colours)) * (wang.knots + 1)};
+        set_view_of_quarter(2 * q, x, north, a);
+        set_view_of_quarter(2 * q + 1, west, y, wang.colours + b);
+        quarters_.contour[q] = int32_t(weft_wang_contour(south, east, a, b, wang.colours) * (wang.knots + 1));
     }
 
     void find_shares()
@@ -158,35 +162,44 @@ private:
         for (uint32_t i = 0; i < composed_together; ++i)
             knots[i] = weft_wang_knot(axis_[0].distance[i], axis_[1].distance[i], wang.knots);
         for (uint32_t i = 0; i < composed_together; ++i) {
-            const int8_t* depth = wang.contours + quarters_[quarter_[i]].contour + knots[i].k;
-            for (uint32_t n = 0; n < 2; ++n) {
-                depths[n][i] = float(depth[n]);
-                sharp[n][i] = looker_.sharp(uint32_t(knots[i].k) + n);
-            }
+            const int8_t* depth = wang.contours + quarters_.contour[quarter_[i]] + knots[i].k;
+            depths[0][i] = float(depth[0]);
+            depths[1][i] = float(depth[1]);
+            sharp[0][i] = looker_.sharp(uint32_t(knots[i].k));
+            sharp[1][i] = looker_.sharp(uint32_t(knots[i].k) + 1);
         }
         for (uint32_t i = 0; i < composed_together; ++i)
             share_[i] = weft_wang_share(knots[i], depths[0][i], depths[1][i], sharp[0][i], sharp[1][i]);
     }
 
-    /// View v is one of place i, that of the north or south edge if `other` is 0.
-    void set_view(uint32_t v, uint32_t i, uint32_t other)
-    {
-        quarter_[v] = quarter_[i];
-        which_[v] = other;
-        for (uint32_t a = 0; a < 2; ++a) {
-            view_[a].texel[v] = tile_.wang && other != a ? axis_[a].seen[i] : axis_[a].texel[i];
-            view_[a].fraction[v] = axis_[a].fraction[i];
-            view_[a].corner[v] = quarters_[quarter_[i]].corner[a][other];
-        }
-    }
-
     void choose(uint32_t count)
     {
+        const int32_t wang = tile_.wang ? 1 : 0;
+        alignas(64) int32_t other[composed_together];
+        for (uint32_t i = 0; i < composed_together; ++i) other[i] = share_[i] >= 1 ? 0 : 1;
+        for (uint32_t i = 0; i < composed_together; ++i) of_[i] = 2 * quarter_[i] + other[i];
+        for (int32_t a = 0; a < 2; ++a)
+            for (uint32_t i = 0; i < composed_together; ++i) {
+                view_[a].texel[i] = wang & (other[i] ^ a) ? axis_[a].seen[i] : axis_[a].texel[i];
+                view_[a].fraction[i] = axis_[a].fraction[i];
+                view_[a].corner[i] = quarters_.corner[a][of_[i]];
+            }
         views_ = composed_together;
-        for (uint32_t i = 0; i < composed_together; ++i) set_view(i, i, share_[i] >= 1 ? 0 : 1);
         for (uint32_t i = 0; i < count; ++i)
-            if (share_[i] > 0 && share_[i] < 1) set_view(views_++, i, 0);
-        while (views_ % 8 != 0) set_view(views_++, 0, 0);
+            if (share_[i] > 0 && share_[i] < 1) append_view(i);
+        while (views_ % 8 != 0) append_view(0);
+    }
+
+    /// That of place i with the north or south edge.
+    void append_view(uint32_t i)
+    {
+        const uint32_t v = views_++;
+        of_[v] = 2 * quarter_[i];
+        for (uint32_t a = 0; a < 2; ++a) {
+            view_[a].texel[v] = a != 0 && tile_.wang ? axis_[a].seen[i] : axis_[a].texel[i];
+            view_[a].fraction[v] = axis_[a].fraction[i];
+            view_[a].corner[v] = quarters_.corner[a][of_[v]];
+        }
     }
 
     void find_bases()
@@ -224,7 +237,7 @@ private:
         for (uint32_t a = 0; a < 2; ++a)
             find_pairs(view_[a].texel, view_[a].fraction, 0, 0.0f, size(a), view_[a].first, view_[a].next, view_[a].t);
         for (uint32_t v = 0; v < views_; ++v) {
-            const uint32_t* map = looker_.map_of(quarters_[quarter_[v]].map[which_[v]]);
+            const uint32_t* map = quarters_.map[of_[v]];
             const uint32_t* upper = map + size_t(y.first[v]) * tile_.width;
             const uint32_t* lower = map + size_t(y.next[v]) * tile_.width;
             entries[0][v] = upper[x.first[v]];
@@ -242,11 +255,13 @@ private:
     const weft_tile& tile_;
     Looker& looker_;
     Lane_axis axis_[2];
-    Quarter quarters_[composed_together];
+    Quarters quarters_;
     alignas(64) float share_[composed_together];
     uint32_t views_ = 0; ///< a multiple of 8
     View_axis view_[2];
     Base_axis bases_[2][2];
-    alignas(64) uint32_t quarter_[most_views], which_[most_views], entry_[most_views];
+    alignas(64) int32_t quarter_[composed_together];
+    alignas(64) int32_t of_[most_views]; ///< which view of which quarter
+    alignas(64) uint32_t entry_[most_views];
     alignas(64) float depth_[most_views];
 };

@@ -130,10 +130,10 @@ public:
     uint32_t west(int64_t x, int64_t y) { return west_.at(x, y); }
 
 private:
-    /// The content of the patch that was hashed last.
+    /// The content that was hashed last: of an entry of the map, but for its depth, in a cell.
     struct Held {
         int64_t x, y;
-        uint32_t patch, content;
+        uint32_t place, content;
     };
 
     static weft_place place(const Axis_places& places, uint32_t i, float step, uint32_t size, uint32_t cells)
@@ -197,15 +197,15 @@ private:
     uint32_t content_of(const Spot_place& at, uint32_t entry, Held& held) const
     {
         const weft_exchange& exchange = *tile_.exchange;
-        const uint32_t patch = weft_map_patch(entry);
+        const uint32_t place = entry & (WEFT_MAP_PATCH | WEFT_MAP_LEFT | WEFT_MAP_ABOVE);
+        if (held.place == place && held.x == at.x.cell && held.y == at.y.cell) return held.content;
         const int64_t x = weft_map_left(entry) != 0 ? weft_cell_before(at.x.cell, c_.cells[0]) : at.x.cell;
         const int64_t y = weft_map_above(entry) != 0 ? weft_cell_before(at.y.cell, c_.cells[1]) : at.y.cell;
-        if (held.patch == patch && held.x == x && held.y == y) return held.content;
-        const uint32_t draw = weft_content_draw(c_.contents, x, y, patch);
+        const uint32_t patch = weft_map_patch(entry), draw = weft_content_draw(c_.contents, x, y, patch);
         uint32_t content = exchange.patches[patch].first;
         const uint32_t last = content + exchange.patches[patch].count - 1;
         while (content < last && draw >= exchange.contents[content].until) ++content;
-        held = {x, y, patch, content};
+        held = {at.x.cell, at.y.cell, place, content};
         return content;
     }
 
