@@ -84,6 +84,8 @@ private:
                                        similarities(guide_, first + y, other, dx, scale, share(dx) * share(dy), to);
                                    else
                                        std::fill_n(to, guide_.width, 0.0F);
+                                   float* margins = to + guide_.width; // this one's right, the next one's left
+                                   std::fill(margins, std::min(to + stride_, weights_.end()), 0.0F);
                                });
                            });
                        });
