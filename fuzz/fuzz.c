@@ -40,8 +40,8 @@ static int is_finite(float value) { return value - value == 0; }
 
 static void check_info(const weft_model* model, const weft_model_info* info)
 {
-    const int has_parts = info->method == WEFT_METHOD_TEXTON || info->method == WEFT_METHOD_PICTURE;
-    FUZZ_CHECK(has_parts || info->method == WEFT_METHOD_WAVELET);
+    const int has_parts = info->method != WEFT_METHOD_WAVELET;
+    FUZZ_CHECK(info->method >= WEFT_METHOD_TEXTON && info->method <= WEFT_METHOD_PICTURE);
     FUZZ_CHECK(info->channels >= 1 && info->channels <= 16 && (info->parts >= 1) == has_parts);
     FUZZ_CHECK((info->width >= 1) == has_parts && info->width <= 16384);
     FUZZ_CHECK((info->height >= 1) == has_parts && info->height <= 16384);

@@ -187,6 +187,8 @@ for structure in auto wang exchange both none; do
 done
 [ -s parts_wang/structure.png ] || bad "export wrote no structure.png"
 [ ! -e parts_none/structure.png ] || bad "export wrote a structure where there is none"
+expect 0 "$weft" analyze "$grey" -o patches.weft --method bilayer --structure exchange --noises 1 --support 16
+expect 0 "$weft" export patches.weft parts_exchange
 [ -s parts_exchange/patches.png ] || bad "export wrote no patches.png"
 grep -q '^patch,x,y,degrees,scale$' parts_exchange/contents.csv || bad "export wrote no contents.csv"
 [ "$(awk -F, 'NF != 5' parts_exchange/contents.csv | wc -l)" -eq 0 ] || bad "contents.csv is no table"
