@@ -68,7 +68,7 @@ static weft_image new_halves(uint32_t width, uint32_t height, uint32_t channels,
         for (uint32_t x = 0; x < width; ++x)
             for (uint32_t c = 0; c < channels; ++c) {
                 const size_t i = ((size_t)y * width + x) * channels + c;
-                values(&photo)[i] = 2 * x + y > width ? 0.5f * values(&photo)[i] : 0.2f + values(&other)[i];
+                values(&photo)[i] = 2 * x + y > width ? 0.5f * values(&photo)[i] : 0.05f + values(&other)[i];
             }
     free_image(&other);
     return photo;
