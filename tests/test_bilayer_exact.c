@@ -124,7 +124,7 @@ static void windows_and_points(void **state)
     const int64_t far = INT64_C(1) << 40;
     Random random = {2017};
     for (uint32_t kind = 0; kind < BILAYER_KINDS; ++kind)
-        for (uint32_t variant = kind; variant < kind + scaled(4, 2); ++variant) {
+        for (uint32_t variant = kind; variant < kind + scaled(2, 1); ++variant) {
             const weft_texture_options options = options_of(variant);
             Case c = open_case(kind, &options);
             check_window(&c, -37, 91, 0, 67, 41);
