@@ -74,22 +74,24 @@ private:
     static void move(const Axis_places& places, uint32_t begin, uint32_t count, float step, uint32_t size,
                      Lane_axis& to)
     {
-        alignas(64) float moved[composed_together] = {0};
+        const uint32_t from = begin * places.step;
         for (uint32_t i = 0; i < composed_together; ++i) {
-            to.second[i] = 0;
-            const uint32_t last = begin + (i < count ? i : count - 1), n = last * places.step;
+            const uint32_t n = from + (i < count ? i : 0) * places.step;
             to.texel[i] = places.texel[n];
             to.fraction[i] = places.fraction[n];
-            to.side[i] = 0;
-            if (places.moved) moved[i] = places.moved[last];
+            to.side[i] = to.second[i] = 0;
         }
-        if (!places.moved) return;
-        for (uint32_t i = 0; i < composed_together; ++i) {
-            const weft_place at = weft_displace({0, to.texel[i], to.fraction[i]}, moved[i], step, size, 0);
-            to.texel[i] = at.texel;
-            to.fraction[i] = at.fraction;
-            to.side[i] = int32_t(at.cell);
+        if (places.moved) {
+            alignas(64) float moved[composed_together] = {0};
+            for (uint32_t i = 0; i < count; ++i) moved[i] = places.moved[begin + i];
+            for (uint32_t i = 0; i < composed_together; ++i) {
+                const weft_place at = weft_displace({0, to.texel[i], to.fraction[i]}, moved[i], step, size, 0);
+                to.texel[i] = at.texel;
+                to.fraction[i] = at.fraction;
+                to.side[i] = int32_t(at.cell);
+            }
         }
+        for (uint32_t i = 0; i < composed_together; ++i) to.seen[i] = to.texel[i];
     }
 
     void halve()
@@ -116,15 +118,19 @@ private:
     /// Neighbours are mostly in the same quarter. Cells of neighbours are less than 2^32 apart.
     void find_quarters(const Axis_places* places, uint32_t begin, uint32_t count)
     {
-        alignas(64) uint32_t cells[2][composed_together + 1], parts[composed_together + 1];
+        alignas(64) uint32_t cells[2][composed_together] = {{0}}, parts[composed_together];
         for (uint32_t a = 0; a < 2; ++a)
-            for (uint32_t i = 0; i < count; ++i) cells[a][i] = uint32_t(places[a].cell[(begin + i) * places[a].step]);
+            for (uint32_t i = 0; i < count && places[a].step != 0; ++i)
+                cells[a][i] = uint32_t(places[a].cell[begin + i]);
         for (uint32_t i = 0; i < composed_together; ++i)
             parts[i] = uint32_t(axis_[0].side[i] + 1 + 4 * (axis_[1].side[i] + 1) + 16 * axis_[0].second[i] +
                                 32 * axis_[1].second[i]);
+        alignas(64) uint32_t changes[composed_together] = {1};
+        for (uint32_t i = 1; i < composed_together; ++i)
+            changes[i] = (parts[i] ^ parts[i - 1]) | (cells[0][i] ^ cells[0][i - 1]) | (cells[1][i] ^ cells[1][i - 1]);
         uint32_t quarters = 0;
         for (uint32_t i = 0; i < count; ++i) {
-            if (i == 0 || (parts[i] ^ parts[i - 1]) + (cells[0][i] ^ cells[0][i - 1]) + (cells[1][i] ^ cells[1][i - 1]))
+            if (changes[i] != 0)
                 set_quarter(quarters++, cell(places[0], 0, begin + i, i), cell(places[1], 1, begin + i, i), i);
             quarter_[i] = int32_t(quarters) - 1;
         }
@@ -174,16 +180,19 @@ private:
 
     void choose(uint32_t count)
     {
-        const int32_t wang = tile_.wang ? 1 : 0;
         alignas(64) int32_t other[composed_together];
         for (uint32_t i = 0; i < composed_together; ++i) other[i] = share_[i] >= 1 ? 0 : 1;
         for (uint32_t i = 0; i < composed_together; ++i) of_[i] = 2 * quarter_[i] + other[i];
-        for (int32_t a = 0; a < 2; ++a)
+        for (int32_t a = 0; a < 2; ++a) {
+            const Lane_axis& axis = axis_[a];
+            View_axis& view = view_[a];
             for (uint32_t i = 0; i < composed_together; ++i) {
-                view_[a].texel[i] = wang & (other[i] ^ a) ? axis_[a].seen[i] : axis_[a].texel[i];
-                view_[a].fraction[i] = axis_[a].fraction[i];
-                view_[a].corner[i] = quarters_.corner[a][of_[i]];
+                const int32_t texel = axis.texel[i], seen = axis.seen[i];
+                view.texel[i] = other[i] != a ? seen : texel;
+                view.fraction[i] = axis.fraction[i];
             }
+            for (uint32_t i = 0; i < composed_together; ++i) view.corner[i] = quarters_.corner[a][of_[i]];
+        }
         views_ = composed_together;
         for (uint32_t i = 0; i < count; ++i)
             if (share_[i] > 0 && share_[i] < 1) append_view(i);
@@ -196,7 +205,7 @@ private:
         const uint32_t v = views_++;
         of_[v] = 2 * quarter_[i];
         for (uint32_t a = 0; a < 2; ++a) {
-            view_[a].texel[v] = a != 0 && tile_.wang ? axis_[a].seen[i] : axis_[a].texel[i];
+            view_[a].texel[v] = a != 0 ? axis_[a].seen[i] : axis_[a].texel[i];
             view_[a].fraction[v] = axis_[a].fraction[i];
             view_[a].corner[v] = quarters_.corner[a][of_[v]];
         }
