@@ -41,7 +41,7 @@ static int is_finite(float value) { return value - value == 0; }
 static void check_info(const weft_model* model, const weft_model_info* info)
 {
     const int wavelet = info->method == WEFT_METHOD_WAVELET, tile = info->method == WEFT_METHOD_STATIONARY;
-    FUZZ_CHECK(wavelet || tile || info->method == WEFT_METHOD_TEXTON || info->method == WEFT_METHOD_PICTURE);
+    FUZZ_CHECK(info->method >= WEFT_METHOD_TEXTON && info->method <= WEFT_METHOD_PICTURE);
     FUZZ_CHECK(info->channels >= 1 && info->channels <= 16 && (info->parts == 0) == wavelet);
     FUZZ_CHECK(info->width <= 16384 && info->height <= 16384 && (info->width == 0) == wavelet);
     FUZZ_CHECK((info->photo_width > 0) == tile && (info->photo_height > 0) == tile);

@@ -2,7 +2,7 @@
  * 36 bytes are options and sizes, pixels follow. */
 #include "fuzz.h"
 
-enum { most_side = 28 };
+enum { most_side = 28, least_layered = 32, most_layered = 39 };
 
 static int32_t count_down(void* user, float done)
 {
@@ -44,9 +44,31 @@ static weft_status analyze_wavelet(weft_context* context, const weft_image* imag
     return weft_analyze_wavelet(context, image, &options, count_down, left, model);
 }
 
+/* As a bi-layer texture, likewise; what only takes longer is kept small. */
+static weft_status analyze_bilayer(weft_context* context, weft_image image, const weft_texton_options* texton,
+                                   int* left, weft_model** model)
+{
+    weft_bilayer_options options = WEFT_BILAYER_OPTIONS_INIT;
+    image.width = least_layered + image.width % (most_layered - least_layered + 1);
+    image.height = least_layered + image.height % (most_layered - least_layered + 1);
+    options.noises = texton->support % 8;
+    options.window = options.mask_window = texton->iterations;
+    options.support = 8 + texton->support % 32;
+    options.masks = texton->projection;
+    options.structure = texton->interpolation;
+    options.colours = 2;
+    options.border = texton->support / 8 % 80;
+    options.equalize = texton->support / 1024 % 2;
+    options.depth = texton->support / 2048 % 3;
+    options.filter_width = 2 + texton->support / 8192 % 8;
+    options.filter_iterations = 1;
+    options.seed = texton->seed;
+    return weft_analyze_bilayer(context, &image, &options, count_down, left, model);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
 {
-    static float pixels[most_side * most_side * 16 + 1];
+    static float pixels[most_layered * most_layered * 16 + 1];
     weft_context* context = fuzz_context("scalar");
     weft_texton_options options = WEFT_TEXTON_OPTIONS_INIT;
     uint8_t shape[8];
@@ -68,6 +90,8 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
         status = weft_analyze_picture(context, &image, &model);
     else if (shape[4] % 8 == 5)
         status = analyze_wavelet(context, &image, &options, &left, &model);
+    else if (shape[4] % 16 == 14)
+        status = analyze_bilayer(context, image, &options, &left, &model);
     else
         status = weft_analyze_texton(context, &image, &options, count_down, &left, &model);
     if (status == WEFT_OK) {

@@ -31,6 +31,11 @@ static request take_request(const uint8_t** bytes, size_t* size)
         r.options.mix = &map;
         r.options.mix_scale = (float)(small / 132 % 20);
     }
+    const uint32_t layers = small / 2640; /* 0 leaves all that is of bi-layer models alone */
+    r.options.rotation = (weft_rotation)(layers % 4);
+    r.options.noise = (weft_noise)(layers / 4 % 4);
+    r.options.scale_min = (float)(layers / 16 % 8) * 0.25f;
+    r.options.turbulence = (float)(layers / 128 % 128) - (layers < 128 ? 0.0f : 1.0f);
     return r;
 }
 

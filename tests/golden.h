@@ -6,8 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const char *const golden_models[] = {"linear_rgb", "nearest_grey", "cubic_rgb", "quintic_grey",
-                                            "linear_16",  "picture_rgb",  "picture_5", "tile_rgb"};
+static const char *const golden_models[] = {"linear_rgb",   "nearest_grey",    "cubic_rgb", "quintic_grey",
+                                            "linear_16",    "picture_rgb",     "picture_5", "tile_rgb",
+                                            "bilayer_wang", "bilayer_exchange"};
 #define GOLDEN_MODELS (sizeof golden_models / sizeof *golden_models)
 
 typedef struct Golden_view {

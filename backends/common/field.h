@@ -8,10 +8,12 @@
 #define WEFT_FIELD_H
 
 #include "field_bands.h"
+#include "field_exchange.h"
 #include "field_numbers.h"
 #include "field_splat.h"
 #include "field_surface.h"
 #include "field_tile.h"
+#include "field_wang.h"
 
 /* Tone curve and sum of layers --------------------------------------------------------------------------------------
  *

@@ -43,6 +43,37 @@ static inline weft_place weft_locate(weft_i64 x, weft_u32 fraction, weft_u32 per
     return at;
 }
 
+/* The cells beside a cell; `cells` of them to a period, 0: endless. */
+static inline weft_i64 weft_cell_after(weft_i64 cell, weft_u32 cells)
+{
+    return cells != 0 && cell + 1 == (weft_i64)cells ? 0 : cell + 1;
+}
+
+static inline weft_i64 weft_cell_before(weft_i64 cell, weft_u32 cells)
+{
+    return cells != 0 && cell == 0 ? (weft_i64)cells - 1 : cell - 1;
+}
+
+/* Moved by a displacement in pixels. What is not a number counts as the lower bound, so that texels stay in bounds. */
+static inline weft_place weft_displace(weft_place at, float pixels, float step, weft_u32 size, weft_u32 cells)
+{
+    const weft_i32 length = (weft_i32)size;
+    const float limit = (float)(length - 1), wanted = pixels * step;
+    const float above = wanted > -limit ? wanted : -limit;
+    const float s = at.fraction + (above < limit ? above : limit);
+    const weft_i32 whole = weft_floor(s);
+    at.fraction = s - (float)whole;
+    at.texel += whole;
+    if (at.texel < 0) {
+        at.texel += length;
+        at.cell = weft_cell_before(at.cell, cells);
+    } else if (at.texel >= length) {
+        at.texel -= length;
+        at.cell = weft_cell_after(at.cell, cells);
+    }
+    return at;
+}
+
 /* The two texels of an axis around a place, in a level of `size` texels, and the weight of the second. */
 typedef struct weft_pair {
     weft_i32 first, second;

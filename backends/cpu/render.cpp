@@ -42,12 +42,13 @@ private:
 /// What a layer needs while a window is rendered.
 struct Work {
     explicit Work(const weft_host* host, const Layer& layer)
-        : found(host, layer.splat.taps), tile(host), bands(host), f(host), mask(host)
+        : found(host, layer.splat.taps), tile(host), composed(host), bands(host), f(host), mask(host)
     {
     }
 
     Impact_list found;
     Tile_block tile;
+    Composed_block composed;
     Bands_block bands;
     Buffer<float> f;          ///< of a strip
     Buffer<float> mask;       ///< product of masks of a strip
@@ -97,7 +98,9 @@ private:
     float* row(uint32_t channel, uint32_t y);
     void clear(uint32_t first, uint32_t count);
     void evaluate(uint32_t index, uint32_t first, uint32_t count);
+    const float* plane_of(const weft_ref& ref, uint32_t count) const;
     const float* mask(uint32_t index, uint32_t count);
+    bool shows(const float* mask, uint32_t count) const;
     void mix(const Layer& layer, const float* f, const float* mask, uint32_t first, uint32_t count);
 
     const weft_backend_texture& texture_;
@@ -132,7 +135,9 @@ bool Painter::begin(const Block& block)
     for (uint32_t i = 0; i < layers(); ++i) {
         const Layer& layer = texture_.layers[i];
         Work& work = work_.data()[i];
-        if (layer.source->kind == WEFT_LAYER_TILE) {
+        if (layer.composed) {
+            if (!work.composed.begin(*texture_.rows, layer.tile, block)) return false;
+        } else if (layer.source->kind == WEFT_LAYER_TILE) {
             if (!work.tile.begin(*texture_.rows, layer.tile, block)) return false;
         } else if (layer.source->kind == WEFT_LAYER_BANDS) {
             if (!work.bands.begin(*texture_.rows, layer.bands, block)) return false;
@@ -151,8 +156,11 @@ void Painter::evaluate(uint32_t index, uint32_t first, uint32_t count)
     const Layer& layer = texture_.layers[index];
     const weft_layer& source = *layer.source;
     Work& work = work_.data()[index];
-    const Strip strip = {work.f.data(), block_.width, first, count, stride_, scratch_.data()};
-    if (source.kind == WEFT_LAYER_TILE)
+    const float* mask = layer.referred ? nullptr : work.m;
+    const Strip strip = {work.f.data(), block_.width, first, count, stride_, scratch_.data(), mask};
+    if (layer.composed)
+        work.composed.strip(strip, plane_of(source.tile->displacement, count));
+    else if (source.kind == WEFT_LAYER_TILE)
         work.tile.strip(strip);
     else if (source.kind == WEFT_LAYER_BANDS)
         work.bands.strip(strip);
@@ -165,12 +173,18 @@ void Painter::evaluate(uint32_t index, uint32_t first, uint32_t count)
         texture_.rows->tone(layer.tones.data()[row / count], block_.width, strip.data + size_t(row) * stride_);
 }
 
+/// The plane of a strip of `count` rows that a reference means; null: none.
+const float* Painter::plane_of(const weft_ref& ref, uint32_t count) const
+{
+    return ref.layer < 0 ? nullptr : work_.data()[ref.layer].f.data() + size_t(ref.plane) * count * stride_;
+}
+
 /// M of a layer: the plane of its mask times the M of the layer that owns the plane.
 const float* Painter::mask(uint32_t index, uint32_t count)
 {
     const weft_ref ref = texture_.layers[index].source->mask;
     const Work& owner = work_.data()[ref.layer];
-    const float* plane = owner.f.data() + size_t(ref.plane) * count * stride_;
+    const float* plane = plane_of(ref, count);
     work_.data()[index].m = plane;
     if (owner.m) {
         float* product = work_.data()[index].mask.data();
@@ -178,6 +192,15 @@ const float* Painter::mask(uint32_t index, uint32_t count)
         work_.data()[index].m = product;
     }
     return work_.data()[index].m;
+}
+
+/// Is M anything but 0 in a strip of `count` rows?
+bool Painter::shows(const float* mask, uint32_t count) const
+{
+    bool any = false;
+    for (uint32_t y = 0; y < count && !any; ++y)
+        for (uint32_t x = 0; x < block_.width; ++x) any |= mask[size_t(y) * stride_ + x] != 0;
+    return any;
 }
 
 void Painter::mix(const Layer& layer, const float* f, const float* mask, uint32_t first, uint32_t count)
@@ -203,8 +226,9 @@ void Painter::strip(uint32_t first, uint32_t count)
     fresh_ = true;
     for (uint32_t i = 0; i < layers(); ++i) {
         const Layer& layer = texture_.layers[i];
-        evaluate(i, first, count);
         const float* m = layer.masked ? mask(i, count) : nullptr;
+        if (m && !layer.referred && !shows(m, count)) continue; // it would add zeros
+        evaluate(i, first, count);
         if (layer.source->channels == 0) continue; // only referred to
         mix(layer, work_.data()[i].f.data(), m, first, count);
         fresh_ = false;

@@ -46,6 +46,31 @@ struct Bands {
     const Lattice* lattices; ///< band b of plane p is lattices[b * planes + p]
 };
 
+/// The least and the greatest depth of a content's contour.
+struct Contour_range {
+    uint8_t least, most;
+};
+
+/// A TILE layer that is more than a picture that repeats, ready to be evaluated.
+struct Composed {
+    const weft_tile* tile;
+    uint32_t planes;
+    uint32_t cells[2];              ///< to a period; 0: endless
+    uint64_t north, west, contents; ///< keys
+    const Contour_range* ranges;    ///< of contents
+    uint32_t groups;                ///< of eight planes
+    const Texels* texels;           ///< levels; only for kernels that want copies
+};
+
+/// Where a TILE is looked at, along one axis: cells, texels and fractions, and what moves them, in pixels.
+struct Axis_places {
+    const int64_t* cell;
+    const int32_t* texel;
+    const float* fraction;
+    uint32_t step;      ///< 1; 0: all in the same place, but for what moves them
+    const float* moved; ///< null: nothing
+};
+
 /// `pairs` pairs of coefficients of a row of a band: those of the next coarser band's rows `above` and `below`,
 /// refined, the first or (odd) second row between them, and a row of the lattice, from `first` on, again and again.
 struct Refine {
@@ -89,8 +114,9 @@ struct Block {
 struct Strip {
     float* data;
     uint32_t width, first, count;
-    uint32_t stride; ///< of rows; planes are stride * count apart
-    void* scratch;   ///< Rows::scratch bytes, 64-byte aligned
+    uint32_t stride;   ///< of rows; planes are stride * count apart
+    void* scratch;     ///< Rows::scratch bytes, 64-byte aligned
+    const float* mask; ///< null: none; where it is 0, f may be any finite number
 };
 
 /// Columns begin..end - 1 read the texels `first` on, in steps of one; scattered ones read where the pairs say.
@@ -152,6 +178,10 @@ struct Rows {
     void (*bands_spots)(const Bands& bands, uint32_t axes, const weft_spot* spots, uint32_t count, float* f,
                         size_t pitch);
 
+    /// f of planes first..first + planes - 1 at `count` places of two axes, a plane `pitch` floats after the one
+    /// before.
+    void (*compose)(const Composed& tile, const Axis_places* places, uint32_t count, float level, uint32_t first,
+                    uint32_t planes, float* f, size_t pitch);
     void (*expand)(const float* texels, const Columns& columns, float* row);
     /// row = t (b - a) + a, also where t is 0.
     void (*lerp)(const float* a, const float* b, float t, uint32_t width, float* row);

@@ -14,10 +14,12 @@ namespace weft {
 namespace WEFT_ISA {
 namespace {
 
+#include "compose_look.inl"
 #include "impacts.inl"
 #if WEFT_LANES == 1
 #include "bands_plain.inl"
 #include "bands_rows.inl"
+#include "compose_plain.inl"
 #include "mix_plain.inl"
 #include "splat_plain.inl"
 #include "surface_plain.inl"
@@ -31,6 +33,10 @@ namespace {
 
 #include "mix_lanes.inl"
 #include "surface_gather.inl"
+
+#include "compose_lanes.inl"
+
+#include "compose_gather.inl"
 #endif
 
 void expand(const float* texels, const Columns& columns, float* row)
@@ -64,11 +70,12 @@ extern const Rows rows;
 #if WEFT_LANES == 1
 const Rows rows = {
     0,      0,          24,          0,           scratch, find_impacts, splat_strip, splat_point, splat_surface,
-    refine, spline_row, spline_rows, bands_spots, expand,  lerp,         tone,        multiply,    mix};
+    refine, spline_row, spline_rows, bands_spots, compose, expand,       lerp,        tone,        multiply,
+    mix};
 #else
-const Rows rows = {lanes - 1,   band_apron,  strip_height,  1,      scratch,    find_impacts,
-                   splat_strip, splat_point, splat_surface, refine, spline_row, spline_rows,
-                   bands_spots, expand,      lerp,          tone,   multiply,   mix};
+const Rows rows = {lanes - 1,   band_apron,    strip_height, 1,          scratch,     find_impacts, splat_strip,
+                   splat_point, splat_surface, refine,       spline_row, spline_rows, bands_spots,  compose,
+                   expand,      lerp,          tone,         multiply,   mix};
 #endif
 
 } // namespace WEFT_ISA

@@ -36,7 +36,23 @@ void splat(const Rows& rows, const Layer& layer, const weft_spot& spot, const fl
     for (uint32_t p = 0; p < planes; ++p) f[p] = weft_lerp(f[p], coarse[p], between.t);
 }
 
-/// f of one layer at all spots of a group.
+/// f of a TILE at spot i of a group, which has what the layer's displacement refers to.
+void tile(const Rows& rows, const Layer& layer, const Group& group, uint32_t i, float* f)
+{
+    const weft_spot& spot = group.spots[i];
+    const uint32_t planes = layer.source->planes;
+    if (!layer.composed) return tile_point(layer.tile, spot.cell, spot.fraction, spot.level, 0, planes, f);
+    const weft_ref moved = layer.source->tile->displacement;
+    float by[2] = {0, 0};
+    for (uint32_t axis = 0; axis < 2 && moved.layer >= 0; ++axis)
+        by[axis] = group.f[moved.layer][moved.plane + axis][i];
+    compose_point(rows, layer.tile, spot, moved.layer < 0 ? nullptr : by, 0, planes, f);
+}
+
+/// Does a layer add nothing but zeros?
+bool hidden(const Layer& layer, float mask) { return !layer.referred && mask == 0; }
+
+/// f of one layer at all spots of a group; 0 where it is hidden.
 void evaluate(const weft_backend_texture& texture, uint32_t index, Group& group)
 {
     const Layer& layer = texture.layers[index];
@@ -48,11 +64,13 @@ void evaluate(const weft_backend_texture& texture, uint32_t index, Group& group)
                          most_spots);
     for (uint32_t i = 0; i < group.count && source.kind != WEFT_LAYER_BANDS; ++i) {
         const weft_spot& spot = group.spots[i];
-        float values[most_planes];
-        if (source.kind == WEFT_LAYER_SPLAT)
+        float values[most_planes] = {0};
+        if (hidden(layer, group.mask[index][i]))
+            ; // zeros will do
+        else if (source.kind == WEFT_LAYER_SPLAT)
             splat(rows, layer, spot, group.frames ? group.frames + 9 * size_t(i) : nullptr, values);
         else
-            tile_point(layer.tile, spot.cell, spot.fraction, spot.level, 0, source.planes, values);
+            tile(rows, layer, group, i, values);
         for (uint32_t p = 0; p < source.planes; ++p) f[p][i] = values[p];
     }
     if (!source.tones) return;
@@ -69,11 +87,11 @@ void sample(const weft_backend_texture& texture, Group& group, float* out)
     for (uint32_t index = 0; index < program.layer_count; ++index) {
         const Layer& layer = texture.layers[index];
         const weft_layer& source = *layer.source;
-        evaluate(texture, index, group);
         for (uint32_t i = 0; i < group.count; ++i)
             group.mask[index][i] =
                 layer.masked ? group.f[source.mask.layer][source.mask.plane][i] * group.mask[source.mask.layer][i]
                              : 1.0f;
+        evaluate(texture, index, group);
         if (source.channels == 0) continue; // only referred to
         const Mixture mixture = {false,      results,    source.channels, group.count, group.f[index][0],
                                  most_spots, most_spots, source.colour,   source.mean, group.mask[index]};

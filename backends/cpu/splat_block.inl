@@ -145,6 +145,7 @@ struct Band {
     int32_t* first;   ///< and the least from here on
     uint32_t* starts; ///< of the lists of the blocks, and the end of the last
     uint32_t* lists;
+    bool* hidden; ///< blocks that nothing is seen of
 
     const uint32_t* list(uint32_t block) const { return lists + starts[block]; }
     uint32_t count(uint32_t block) const { return starts[block + 1] - starts[block]; }
@@ -161,7 +162,7 @@ size_t scratch(uint32_t impacts, uint32_t width, uint32_t taps)
 {
     const size_t blocks = blocks_for(width, taps);
     const size_t sums = sum_count(taps, uint32_t(blocks));
-    return (sums + (blocks + 5) * (size_t(impacts) + 1) + blocks + 1) * sizeof(float);
+    return (sums + (blocks + 5) * (size_t(impacts) + 1) + 2 * blocks + 1) * sizeof(float);
 }
 
 Band band_in(const Strip& strip, uint32_t impacts, uint32_t taps)
@@ -177,7 +178,8 @@ Band band_in(const Strip& strip, uint32_t impacts, uint32_t taps)
     band.latest = band.begin + limit;
     band.first = band.latest + limit;
     band.starts = reinterpret_cast<uint32_t*>(band.first + limit);
-    band.lists = band.starts + band.blocks + 1;
+    band.hidden = reinterpret_cast<bool*>(band.starts + band.blocks + 1);
+    band.lists = band.starts + 2 * band.blocks + 1;
     return band;
 }
 
@@ -213,7 +215,23 @@ void find_begins(const Band& band, const Impacts& found, uint32_t count)
     }
 }
 
-/// For each block, the impacts of the band that reach it.
+/// Which blocks of rows y..y + height - 1 the mask hides. Accumulators are shifted to the left, so that a block is seen
+/// through those before it too, as far as the taps reach.
+void find_hidden(const Band& band, const Strip& strip, uint32_t y, uint32_t height, uint32_t taps)
+{
+    const uint32_t reach = (taps - 1 + lanes - 1) / lanes;
+    uint32_t zeros = reach; // blocks in succession
+    for (uint32_t b = 0; b < band.blocks; ++b) {
+        const uint32_t begin = b * lanes, end = begin + lanes < strip.width ? begin + lanes : strip.width;
+        bool zero = strip.mask != nullptr;
+        for (uint32_t r = y; r < y + height && zero; ++r)
+            for (uint32_t x = begin; x < end; ++x) zero &= strip.mask[size_t(r) * strip.stride + x] == 0;
+        zeros = zero ? zeros + 1 : 0;
+        band.hidden[b] = zeros > reach;
+    }
+}
+
+/// For each block, the impacts of the band that reach it, unless it is hidden.
 void fill_lists(const Band& band, const Texels& texels, const Impacts& found, uint32_t count)
 {
     find_begins(band, found, count);
@@ -227,7 +245,7 @@ void fill_lists(const Band& band, const Texels& texels, const Impacts& found, ui
         while (from < count && band.latest[from] < left) ++from;
         while (to < count && band.first[to] <= right) ++to;
         band.starts[b] = filled;
-        for (uint32_t i = from; i < to; ++i) {
+        for (uint32_t i = from; i < to && !band.hidden[b]; ++i) {
             lists[filled] = numbers[i];
             filled += uint32_t(begins[i] - left) < reach ? 1u : 0u;
         }
@@ -282,6 +300,7 @@ void splat_bands(const Splat& splat, const Texels& texels, const Impacts& found,
     const Band band = band_in(strip, found.count, taps);
     const uint32_t near = select(found, nullptr, found.count, texels, taps, strip.first, strip.count, band.strip);
     for (uint32_t y = 0; y < strip.count; y += rows) {
+        find_hidden(band, strip, y, strip.count - y < rows ? strip.count - y : rows, taps);
         fill_lists(band, texels, found,
                    select(found, band.strip, near, texels, taps, strip.first + y, rows, band.band));
         Rows_of<taps>::render(splat, texels, found, strip, band, y, strip.count - y < rows ? strip.count - y : rows);

@@ -27,8 +27,7 @@ bool supports(const weft_layer& layer, const weft_program& program)
         const weft_ref choice = layer.splat->choice;
         return choice.layer < 0 || program.layers[choice.layer]->kind == WEFT_LAYER_TILE;
     }
-    return layer.kind == WEFT_LAYER_TILE && layer.tile->address == WEFT_ADDRESS_CELLS && !layer.tile->exchange &&
-           layer.tile->displacement.layer < 0;
+    return layer.kind == WEFT_LAYER_TILE;
 }
 
 bool supports(const weft_program& program)
@@ -135,7 +134,11 @@ uint32_t choose(const void* choice, int64_t x, int64_t y)
     const int64_t pixel[2] = {weft_choice_pixel(x, c.width), weft_choice_pixel(y, c.height)};
     const uint32_t centre[2] = {WEFT_FRACTION_HALF, WEFT_FRACTION_HALF};
     float value;
-    tile_point(*c.tile, pixel, centre, 0.0f, c.plane, 1, &value);
+    if (is_composed(*c.tile->tile))
+        compose_point(*c.rows, *c.tile, {{pixel[0], pixel[1], 0}, {centre[0], centre[1], 0}, 0.0f}, nullptr, c.plane, 1,
+                      &value);
+    else
+        tile_point(*c.tile, pixel, centre, 0.0f, c.plane, 1, &value);
     if (c.tone) c.rows->tone(*c.tone, 1, &value);
     return weft_choose(value, c.images);
 }
@@ -191,6 +194,16 @@ bool open_splat(weft_backend_texture& texture, Layer& layer)
     return true;
 }
 
+bool open_tile(weft_backend_texture& texture, Layer& layer)
+{
+    const weft_program& program = *texture.program;
+    const weft_tile& tile = *layer.source->tile;
+    layer.tile = {&tile, layer.source->planes, {program.period[0], program.period[1]}, {}};
+    layer.composed = is_composed(tile);
+    return !layer.composed || open_composed(*layer.source, program, texture.rows->interleaved != 0, layer.composed_data,
+                                            layer.texels, layer.tile.composed);
+}
+
 Tone tone_of(const weft_tone& source)
 {
     Tone tone;
@@ -224,13 +237,14 @@ bool open_layer(weft_backend_texture& texture, uint32_t index)
     const weft_ref mask = layer.source->mask;
     layer.masked = mask.layer >= 0;
     if (layer.masked) texture.layers[mask.layer].referred = true;
+    const int32_t moved = layer.source->tile ? layer.source->tile->displacement.layer : -1;
+    if (moved >= 0) texture.layers[moved].referred = true;
     if (!open_tones(layer)) return false;
     if (layer.source->kind == WEFT_LAYER_SPLAT) return open_splat(texture, layer);
     if (layer.source->kind == WEFT_LAYER_BANDS)
         return open_bands(*layer.source, program.use, texture.rows->interleaved != 0, layer.lattices, layer.data,
                           layer.bands);
-    layer.tile = {layer.source->tile, layer.source->planes, {program.period[0], program.period[1]}};
-    return true;
+    return open_tile(texture, layer);
 }
 
 } // namespace
@@ -256,8 +270,8 @@ weft_status texture_open(weft_backend_device* device, const weft_program* progra
     if (!supports(*program))
         return refuse(
             host, WEFT_ERROR_UNSUPPORTED,
-            "this device evaluates SPLAT, BANDS and plain periodic TILE layers in the plane, SPLAT layers without "
-            "choice and mask on surfaces, BANDS layers in space");
+            "this device evaluates SPLAT, BANDS and TILE layers in the plane, SPLAT layers without choice and mask on "
+            "surfaces, BANDS layers in space");
     void* memory = host->allocate(host->self, sizeof(weft_backend_texture), alignof(weft_backend_texture));
     if (!memory) return WEFT_ERROR_MEMORY;
     weft_backend_texture* made = new (memory) weft_backend_texture{};
@@ -269,6 +283,7 @@ weft_status texture_open(weft_backend_device* device, const weft_program* progra
         made->layers[i].data.use(host);
         made->layers[i].tones.use(host);
         made->layers[i].lattices.use(host);
+        made->layers[i].composed_data.use(host);
         if (open_layer(*made, i)) continue;
         texture_close(made);
         return WEFT_ERROR_MEMORY;

@@ -2,6 +2,7 @@
 /// prepared for it.
 #pragma once
 #include "bands.h"
+#include "compose.h"
 #include "memory.h"
 #include "rows.h"
 #include "tile.h"
@@ -36,7 +37,9 @@ struct Layer {
     Buffer<Tone> tones; ///< of its channels; empty: none
     Buffer<Lattice> lattices;
     Buffer<float> data; ///< what `texels` or `lattices` point into, if the kernels want copies
+    Composed_data composed_data;
     float impacts_per_pixel;
+    bool composed;         ///< a TILE, and is_composed
     bool masked, referred; ///< has a mask; is referred to by a later layer
 };
 

@@ -11,13 +11,14 @@ struct Tile {
     const weft_tile* tile;
     uint32_t planes;
     uint32_t period[2];
+    Composed composed; ///< filled if is_composed
 
     weft_between level(float wanted) const { return weft_tile_level(wanted, tile->level, tile->source->levels); }
     weft_place place(uint32_t axis, int64_t pixel, uint32_t fraction) const;
     weft_pair pair(uint32_t axis, const weft_place& place, int32_t level) const;
 };
 
-/// f of planes first..first + count - 1 at a position.
+/// f of planes first..first + count - 1 at a position, of a TILE that is not composed.
 void tile_point(const Tile& tile, const int64_t* pixel, const uint32_t* fraction, float level, uint32_t first,
                 uint32_t count, float* f);
 

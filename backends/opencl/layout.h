@@ -12,9 +12,9 @@
 #define WEFT_BLOCK_COLUMNS 8
 #define WEFT_BLOCK_ROWS(taps) ((taps) == 1 ? 8 : (taps) == 2 ? 4 : (taps) == 4 ? 2 : 1)
 
-/* Words of an impact in a band's list: the texel column under the window's first pixel; where the framed row of its image's
- * texels under the band's first row begins; then floats: of two taps w0, w1, rho, else x's weights times the sign, y's
- * weights. */
+/* Words of an impact in a band's list: the texel column under the window's first pixel; where the framed row of its
+ * image's texels under the band's first row begins; then floats: of two taps w0, w1, rho, else x's weights times the
+ * sign, y's weights. */
 #define WEFT_IMPACT_WORDS(taps) ((taps) == 2 ? 5 : 2 + 2 * (taps))
 
 #define WEFT_SAMPLES 16 /* that layer_sum finishes at once: the field's stride is a multiple of it */
@@ -27,6 +27,7 @@
 #define WEFT_LATTICE_GATHER 5  /* sample by sample, in the plane */
 #define WEFT_LATTICE_SOLID 6   /* sample by sample, in space */
 #define WEFT_LATTICE_PYRAMID 7 /* windows only: tile by tile */
+#define WEFT_TILE_COMPOSED 8   /* Wang tiles, exchange or displacement */
 
 /* A tile of lattice_pyramid, in pixels: what it computes stays in the first cache. */
 #define WEFT_TILE_COLUMNS 128
@@ -68,6 +69,27 @@ typedef struct GridLayout {
     float inverse, step;
 } GridLayout;
 
+#define WEFT_PATCH_WORDS 4   /* anchor x, y, first content, count */
+#define WEFT_CONTENT_WORDS 8 /* until, x, y; then floats: turn's four, level */
+
+/* A TILE that is more than a picture that repeats. Its bytes lie in words. */
+typedef struct ComposedLayout {
+    weft_u64 north, west, contents_key;
+    weft_u32 cells_x, cells_y;         /* to a period; 0: endless */
+    weft_u32 moved_layer, moved_plane; /* displacement; layer WEFT_NONE: none */
+    weft_u32 colours;                  /* 0: no Wang tiles */
+    weft_u32 knots;
+    float unit_x, unit_y;
+    weft_u32 diamonds;               /* where in words: x, y of each */
+    weft_u32 contours;               /* where in words: signed bytes */
+    weft_u32 sharp;                  /* where in numbers */
+    weft_u32 exchange;               /* 0: none */
+    weft_u32 map, patches, contents; /* where in words */
+    weft_u32 content_contours;       /* where in words: bytes */
+    weft_u32 feather;                /* where in numbers */
+    weft_u32 zero;
+} ComposedLayout;
+
 typedef struct LayerLayout {
     weft_u64 key;  /* SPLAT: weft_key(seed, stream, WEFT_TAG_IMPACTS) */
     weft_u32 form; /* WEFT_SPLAT_GATHER, ... */
@@ -89,6 +111,7 @@ typedef struct LayerLayout {
     weft_u32 tones;        /* where in words: pieces' count and where in numbers, per channel; WEFT_NONE: none */
     weft_u32 colour, mean; /* where in numbers */
     weft_u32 zero;
+    ComposedLayout composed;
 } LayerLayout;
 
 /* Where samples are: spots, or the pixels of a window. */

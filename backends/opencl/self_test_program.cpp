@@ -1,6 +1,7 @@
 /// In the plane a tile that masks one splat of two taps and chooses the textons of another of four, and bands; on
-/// surfaces the splats alone, in space the bands.
+/// surfaces the splats alone, in space the bands. The bands displace a second tile, of Wang tiles with exchange.
 #include "opencl/self_test_program.h"
+#include <algorithm>
 
 namespace weft::opencl {
 
@@ -63,6 +64,47 @@ void SelfTestProgram::fill_bands(weft_use use)
     table_[5] = {data_ + 400, 1, 2, depth, 0, 1, 2, 0.5f, 0};
 }
 
+/// Every view is one patch, deeper towards its middle, with a content that is turned and scaled and one that is not.
+void SelfTestProgram::compose()
+{
+    const auto random = [](std::size_t i, std::uint32_t count) {
+        return static_cast<std::int32_t>(weft_high(weft_mix(i + 1)) % count);
+    };
+    for (std::size_t i = 0; i < sizeof edges_; ++i)
+        edges_[i] = static_cast<std::int8_t>(i % (knots + 1) == knots / 2 ? random(i, 3) - 1 : 0);
+    for (std::size_t i = 0; i < sizeof sharp_ / sizeof *sharp_; ++i) sharp_[i] = i % (knots + 1) == 2 ? 1.25f : 2.5f;
+    for (std::uint32_t i = 0; i < views * cell_y * cell_x; ++i) {
+        const std::uint32_t x = i % cell_x, y = i / cell_x % cell_y;
+        const std::uint32_t depth = std::min({x, y, cell_x - 1 - x, cell_y - 1 - y});
+        map_[i] = i / (cell_x * cell_y) | (depth * 12) << WEFT_MAP_DEPTH;
+    }
+    for (std::uint32_t i = 0; i < views; ++i) {
+        diamonds_[i] = {random(i, 12), random(i + 9, 10)};
+        patches_[i] = {4, 2, 2 * i, 2};
+        contents_[2 * i] = {0x90000000, random(i + 20, 12), random(i + 30, 10), {0.0f, -1.5f, 1.5f, 0.0f}, 0.585f};
+        contents_[2 * i + 1] = {0, random(i + 40, 12), random(i + 50, 10), {1.0f, 0.0f, 0.0f, 1.0f}, 0.0f};
+    }
+    for (std::size_t i = 0; i < sizeof contours_; ++i) contours_[i] = static_cast<std::uint8_t>(random(i + 60, 12));
+    wang_ = {sizeof wang_,
+             colours_of_edges,
+             knots,
+             static_cast<float>(knots) / cell_x,
+             static_cast<float>(knots) / cell_y,
+             0,
+             diamonds_,
+             edges_,
+             sharp_};
+    exchange_ = {sizeof exchange_, views, map_, patches_, contents_, contours_, feathers};
+    composed_ = tile_;
+    composed_.address = WEFT_ADDRESS_WANG;
+    composed_.width = cell_x;
+    composed_.height = cell_y;
+    composed_.x = {37, 5, 1.0f / 37.0f, 40.0f / 37.0f};
+    composed_.y = {41, 7, 1.0f / 41.0f, 42.0f / 41.0f};
+    composed_.wang = &wang_;
+    composed_.exchange = &exchange_;
+}
+
 void SelfTestProgram::add(const weft_layer& layer)
 {
     weft_layer& to = layers_[program.layer_count];
@@ -85,11 +127,14 @@ SelfTestProgram::SelfTestProgram(weft_use use)
     tile_.displacement = {-1, 0};
     tile_.level = 0.25f;
     tile_.source = &source_.mips;
+    compose();
     splats_[0] = splat(two_, 2);
     splats_[1] = splat(four_, 4);
     if (plane) splats_[1].choice = {0, 0};
     weft_layer tile = layer(WEFT_LAYER_TILE, 2, -1), two = layer(WEFT_LAYER_SPLAT, 2, plane ? 0 : -1),
-               four = layer(WEFT_LAYER_SPLAT, 1, -1), bands = layer(WEFT_LAYER_BANDS, 2, -1);
+               four = layer(WEFT_LAYER_SPLAT, 1, -1), bands = layer(WEFT_LAYER_BANDS, 2, -1),
+               composed = layer(WEFT_LAYER_TILE, 2, plane ? 0 : -1);
+    composed.tile = &composed_;
     tile.tile = &tile_;
     tile.tones = bands.tones = tones;
     two.splat = &splats_[0];
@@ -98,6 +143,8 @@ SelfTestProgram::SelfTestProgram(weft_use use)
     if (plane) add(tile);
     if (use != WEFT_USE_SOLID) add(two), add(four);
     if (use != WEFT_USE_SURFACE) add(bands);
+    composed_.displacement = {static_cast<std::int32_t>(program.layer_count) - 1, 0};
+    if (plane) add(composed);
     program.size = sizeof program;
     program.use = use;
     program.channels = channels;

@@ -78,7 +78,10 @@ private:
     };
     static constexpr std::uint32_t band_count = 3;
 
+    static constexpr std::uint32_t cell_x = 8, cell_y = 6, colours_of_edges = 2, knots = 4, views = 4;
+
     void fill_bands(weft_use use);
+    void compose();
     void add(const weft_layer& layer);
     void fill(Pictures& pictures, std::uint32_t planes, std::uint32_t images, std::uint32_t size_x,
               std::uint32_t size_y);
@@ -87,19 +90,28 @@ private:
 
     static constexpr std::uint32_t thresholds[4] = {0x20000000, 0x60000000, 0xa0000000, 0xe8000000};
     static constexpr float zeros[2] = {0.0f, 0.0f}, means[2] = {0.4375f, -0.3f},
-                           colours[4] = {0.9f, -0.2f, 0.35f, 1.1f};
+                           colours[4] = {0.9f, -0.2f, 0.35f, 1.1f}, feathers[2] = {0.125f, 0.0625f};
     static constexpr weft_piece pieces[2] = {{-1.0f, -0.8f, 0.7f, 0.1f, -0.2f}, {0.1f, 0.05f, 1.1f, -0.3f, 0.05f}};
     static constexpr weft_tone tones[2] = {{-1.0f, 1.5f, 2, 0, pieces}, {-0.5f, 0.7f, 1, 0, pieces}};
 
     float data_[2048];
     std::size_t used_ = 0;
     Pictures source_, two_, four_;
-    weft_tile tile_ = {};
+    weft_tile tile_ = {}, composed_ = {};
+    weft_wang wang_ = {};
+    weft_exchange exchange_ = {};
+    weft_diamond diamonds_[views];
+    std::int8_t edges_[4 * colours_of_edges * colours_of_edges * (knots + 1)];
+    float sharp_[2 * (knots + 1)];
+    weft_u32 map_[views * cell_y * cell_x];
+    weft_patch patches_[views];
+    weft_content contents_[2 * views];
+    std::uint8_t contours_[2 * views * WEFT_CONTOUR];
     weft_splat splats_[2];
     weft_band table_[2 * band_count];
     weft_bands bands_ = {sizeof(weft_bands), band_count, table_};
-    weft_layer layers_[4];
-    const weft_layer* order_[4];
+    weft_layer layers_[5];
+    const weft_layer* order_[5];
 };
 
 } // namespace weft::opencl

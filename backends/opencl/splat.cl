@@ -43,6 +43,17 @@ static void add_spline(float4* sum, global const float4* texel, weft_u32 stride,
     }
 }
 
+/* Four planes of a TILE without displacement. */
+static float4 chosen_at(global const LayerLayout* tile, global const LevelLayout* levels, global const float4* texels,
+                        global const weft_u32* words, global const float* numbers, Position at, weft_u32 group)
+{
+    if (tile->form == WEFT_TILE_GATHER) return tile_at(tile, levels, texels, at, group);
+    const weft_place x = locate(at.x, at.fraction_x, tile->period_x, tile->grid_x);
+    const weft_place y = locate(at.y, at.fraction_y, tile->period_y, tile->grid_y);
+    return composed_at(compose(composer_of(tile, levels, words, numbers, at.level), x, y), levels + tile->first_level,
+                       texels, group);
+}
+
 /* Which image an impact shows: a plane of an earlier TILE, at the middle of its texton. */
 static weft_u32 chosen_image(global const LayerLayout* layers, global const LayerLayout* layer,
                              global const LevelLayout* levels, global const float4* texels,
@@ -55,7 +66,7 @@ static weft_u32 chosen_image(global const LayerLayout* layers, global const Laye
     at.y = weft_choice_pixel(y, layer->texton_height);
     at.fraction_x = at.fraction_y = WEFT_FRACTION_HALF;
     at.level = 0.0f;
-    const float4 f = tile_at(tile, levels, texels, at, plane / 4);
+    const float4 f = chosen_at(tile, levels, texels, words, numbers, at, plane / 4);
     const float values[4] = {f.x, f.y, f.z, f.w};
     float v = values[plane % 4];
     if (tile->tones != WEFT_NONE && plane < tile->channels) v = tone(v, words, numbers, tile->tones, plane);

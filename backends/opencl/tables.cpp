@@ -5,6 +5,13 @@
 
 namespace weft::opencl {
 
+bool is_composed(const weft_tile& tile)
+{
+    return tile.address != WEFT_ADDRESS_CELLS || tile.exchange || tile.displacement.layer >= 0;
+}
+
+weft_u32 layer_of(weft_ref ref) { return ref.layer < 0 ? WEFT_NONE : static_cast<weft_u32>(ref.layer); }
+
 namespace {
 
 bool known_splat(const weft_splat& splat)
@@ -19,8 +26,7 @@ bool known_in_plane(const weft_layer& layer, const weft_program& program)
         const weft_ref choice = layer.splat->choice;
         return known_splat(*layer.splat) && (choice.layer < 0 || program.layers[choice.layer]->kind == WEFT_LAYER_TILE);
     }
-    return layer.kind == WEFT_LAYER_TILE && layer.tile->address == WEFT_ADDRESS_CELLS && !layer.tile->exchange &&
-           layer.tile->displacement.layer < 0;
+    return layer.kind == WEFT_LAYER_TILE;
 }
 
 /// In space there are no pictures: only impacts on surfaces and only bands in solids.
@@ -38,8 +44,6 @@ bool known(const weft_program& program)
     return std::all_of(program.layers, program.layers + program.layer_count,
                        [&](const weft_layer* layer) { return known(*layer, program); });
 }
-
-weft_u32 layer_of(weft_ref ref) { return ref.layer < 0 ? WEFT_NONE : static_cast<weft_u32>(ref.layer); }
 
 std::uint32_t groups(std::uint32_t planes) { return (planes + 3) / 4; }
 
@@ -63,10 +67,17 @@ bool fits_lists(const weft_splat& splat, std::uint32_t planes)
     return (mips.width + frame) * (mips.height + frame) * planes * shown_images(splat) < INT32_MAX;
 }
 
-weft_u32 splat_form(weft_use use, bool rows, const weft_splat& splat, std::uint32_t planes)
+/// The host does not look into composed tiles: there impacts choose their images sample by sample.
+bool chooses_on_device(const weft_splat& splat, const weft_program& program)
 {
-    if (use == WEFT_USE_SURFACE) return WEFT_SURFACE_GATHER;
-    return rows && fits_lists(splat, planes) ? WEFT_SPLAT_BANDS : WEFT_SPLAT_GATHER;
+    return splat.choice.layer >= 0 && is_composed(*program.layers[splat.choice.layer]->tile);
+}
+
+weft_u32 splat_form(const weft_program& program, bool rows, const weft_splat& splat, std::uint32_t planes)
+{
+    if (program.use == WEFT_USE_SURFACE) return WEFT_SURFACE_GATHER;
+    return rows && fits_lists(splat, planes) && !chooses_on_device(splat, program) ? WEFT_SPLAT_BANDS
+                                                                                   : WEFT_SPLAT_GATHER;
 }
 
 weft_u32 bands_form(weft_use use, bool rows)
@@ -106,17 +117,17 @@ void Tables::add_layer(const weft_layer& layer, bool rows)
     to.period_z = program.period[2];
     to.mask_layer = layer_of(layer.mask);
     to.mask_plane = layer.mask.plane;
-    to.choice_layer = to.mask_slot = to.tones = WEFT_NONE;
+    to.choice_layer = to.mask_slot = to.tones = to.composed.moved_layer = WEFT_NONE;
     if (layer.kind == WEFT_LAYER_SPLAT) {
         to.key = weft_key(program.seed, layer.stream, WEFT_TAG_IMPACTS);
-        to.form = splat_form(program.use, rows, *layer.splat, layer.planes);
+        to.form = splat_form(program, rows, *layer.splat, layer.planes);
         add_splat(*layer.splat, to);
     } else if (layer.kind == WEFT_LAYER_BANDS) {
         to.form = bands_form(program.use, rows);
         add_bands(*layer.bands, to);
     } else {
-        to.form = WEFT_TILE_GATHER;
-        add_tile(*layer.tile, to);
+        to.form = is_composed(*layer.tile) ? WEFT_TILE_COMPOSED : WEFT_TILE_GATHER;
+        add_tile(layer, to);
     }
     add_sum(layer, to);
     layers.push_back(to);
@@ -141,19 +152,10 @@ void Tables::add_splat(const weft_splat& splat, LayerLayout& to)
     add_levels(*splat.textons, to);
 }
 
-void Tables::add_tile(const weft_tile& tile, LayerLayout& to)
-{
-    to.level = tile.level;
-    to.images = 1;
-    to.grid_x = {tile.x.span, tile.x.cells, tile.width, tile.x.inverse, tile.x.step};
-    to.grid_y = {tile.y.span, tile.y.cells, tile.height, tile.y.inverse, tile.y.step};
-    add_levels(*tile.source, to);
-}
-
 void Tables::add_levels(const weft_mips& mips, LayerLayout& to)
 {
-    const bool bands = to.form == WEFT_SPLAT_BANDS;
-    const std::uint32_t frame = to.form == WEFT_TILE_GATHER || bands ? 0 : to.taps - 1;
+    const bool bands = to.form == WEFT_SPLAT_BANDS, tile = to.taps == 0;
+    const std::uint32_t frame = tile || bands ? 0 : to.taps - 1;
     const std::uint32_t frame_y = bands ? WEFT_BLOCK_ROWS(to.taps) + to.taps - 2 : frame;
     to.first_level = static_cast<weft_u32>(levels.size());
     to.levels = mips.levels;
@@ -178,7 +180,7 @@ void Tables::add_levels(const weft_mips& mips, LayerLayout& to)
             level.reach = weft_surface_reach(weft_surface_extent(to.texton_width, mip.x, mip.width, to.taps, i),
                                              weft_surface_extent(to.texton_height, mip.y, mip.height, to.taps, i),
                                              std::max(to.texton_width, to.texton_height));
-        } else if (to.form != WEFT_TILE_GATHER) {
+        } else if (!tile) {
             set_reach(to.taps, i, mip.x, mip.width, level.before_x, level.after_x);
             set_reach(to.taps, i, mip.y, mip.height, level.before_y, level.after_y);
         }
@@ -216,6 +218,8 @@ void Tables::assign_slots()
             owner.kept = 1;
             if (owner.mask_layer != WEFT_NONE) owner.mask_slot = 0;
         }
+    for (const LayerLayout& layer : layers)
+        if (layer.composed.moved_layer != WEFT_NONE) layers[layer.composed.moved_layer].kept = 1;
     for (LayerLayout& layer : layers) {
         if (layer.mask_slot != WEFT_NONE) layer.mask_slot = slots++;
         if (!layer.kept) continue;

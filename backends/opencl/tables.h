@@ -7,6 +7,11 @@
 
 namespace weft::opencl {
 
+/// Does a TILE ask for Wang tiles, exchange or displacement?
+bool is_composed(const weft_tile& tile);
+
+weft_u32 layer_of(weft_ref ref);
+
 struct Tables {
     /// Throws WEFT_ERROR_UNSUPPORTED for what the kernels do not know or the device cannot hold.
     Tables(const Device& device, const weft_program& program, std::pmr::memory_resource* memory);
@@ -27,7 +32,10 @@ struct Tables {
 private:
     void add_layer(const weft_layer& layer, bool rows);
     void add_splat(const weft_splat& splat, LayerLayout& to);
-    void add_tile(const weft_tile& tile, LayerLayout& to);
+    void add_tile(const weft_layer& layer, LayerLayout& to);
+    void add_wang(const weft_tile& tile, ComposedLayout& to);
+    void add_exchange(const weft_tile& tile, ComposedLayout& to);
+    weft_u32 add_bytes(const void* bytes, std::size_t count);
     void add_bands(const weft_bands& bands, LayerLayout& to);
     void add_lattice(const weft_band* bands, std::uint32_t index, const LayerLayout& layer);
     void fill_lattices(const weft_bands& bands, const LayerLayout& layer, float* texels) const;

@@ -231,6 +231,9 @@ void Texture::gather(Workspace& work, const SamplesLayout& samples, weft_u32 ind
     case WEFT_SURFACE_GATHER:
         return work.surface_gather.enqueue(queue, groups, group_size, layers, levels, texels, spots, frames, field,
                                            samples, index, words, numbers);
+    case WEFT_TILE_COMPOSED:
+        return work.tile_composed.enqueue(queue, {columns, rows, 1}, group_size, layers, levels, texels, spots, field,
+                                          samples, index, words, numbers);
     case WEFT_LATTICE_GATHER:
         return work.lattice_gather.enqueue(queue, planes, group_size, layers, lattices, texels, spots, field, samples,
                                            index);

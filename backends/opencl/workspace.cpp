@@ -36,9 +36,9 @@ Queue new_queue(const Device& device)
 
 Workspace::Workspace(const Device& device, std::pmr::memory_resource* memory)
     : queue(new_queue(device)), splat_gather(device.program, "splat_gather"),
-      tile_gather(device.program, "tile_gather"), surface_gather(device.program, "surface_gather"),
-      lattice_gather(device.program, "lattice_gather"), lattice_solid(device.program, "lattice_solid"),
-      lattice_pyramid(device.program, "lattice_pyramid"),
+      tile_gather(device.program, "tile_gather"), tile_composed(device.program, "tile_composed"),
+      surface_gather(device.program, "surface_gather"), lattice_gather(device.program, "lattice_gather"),
+      lattice_solid(device.program, "lattice_solid"), lattice_pyramid(device.program, "lattice_pyramid"),
       layer_sum(device.program, "layer_sum"), splat_bands{Task(device.program, "splat_bands_1"),
                                                           Task(device.program, "splat_bands_2"),
                                                           Task(device.program, "splat_bands_4"),

@@ -42,7 +42,8 @@ struct Workspace {
     Workspace(const Device& device, std::pmr::memory_resource* memory);
 
     Queue queue;
-    Task splat_gather, tile_gather, surface_gather, lattice_gather, lattice_solid, lattice_pyramid, layer_sum;
+    Task splat_gather, tile_gather, tile_composed, surface_gather, lattice_gather, lattice_solid, lattice_pyramid,
+        layer_sum;
     Task splat_bands[4]; ///< of 1, 2, 4 and 6 taps
     Scratch field, sums, lists, bands, spots, frames, out;
     Impacts impacts;

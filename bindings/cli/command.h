@@ -19,6 +19,7 @@ int command_describe(int count, char** words);
 int command_tile(int count, char** words);
 int command_apply(int count, char** words);
 int command_mix(int count, char** words);
+int command_preview(int count, char** words);
 int command_sheet(int count, char** words);
 int command_compare(int count, char** words);
 int command_devices(int count, char** words);

@@ -21,6 +21,7 @@ static const command commands[] = {
     {"import", command_import, "make a model of a .texton or .json file"},
     {"describe", command_describe, "say what a photo is like and which method suits it"},
     {"tile", command_tile, "make a tile that repeats unseen of a photo"},
+    {"preview", command_preview, "draw how a photo splits into structure and noise"},
     {"apply", command_apply, "make the tile of another map of a tiled surface"},
     {"mix", command_mix, "make a model between two models"},
     {"sheet", command_sheet, "draw a model, its texture and how close this is to the photo"},

@@ -134,6 +134,8 @@ const char* method_name(weft_method method)
         return "texton";
     case WEFT_METHOD_WAVELET:
         return "wavelet";
+    case WEFT_METHOD_BILAYER:
+        return "bilayer";
     case WEFT_METHOD_STATIONARY:
         return "stationary";
     case WEFT_METHOD_PICTURE:

@@ -17,13 +17,15 @@ static const char notes[] =
     "the window, the device or the number of threads. --at counts pixels of the level. Models of 1, 2, 3 and\n"
     "4 channels give grey, grey and alpha, RGB and RGBA. For more, and to undo what `analyze` has stacked,\n"
     "--maps 3,1,3 says how many channels each map has; the %d in -o OUT-%d.png becomes the map's number.\n"
-    "Of a mixed model --mix shows black the first step, white the last; the map, a grey PNG, repeats.";
+    "Of a mixed model --mix shows black the first step, white the last; the map, a grey PNG, repeats.\n"
+    "--rotation to --noise are of bi-layer models: how their structure may be deformed, and whether their noises\n"
+    "never repeat or come from large tiles, which is faster.";
 
 typedef struct render_options {
     const char *output, *maps_text, *mix;
     extent size, period;
     position at;
-    uint32_t level, depth, mix_scale;
+    uint32_t level, depth, mix_scale, rotation, noise;
     uint32_t groups[16]; /* channels of each map */
     int group_count;
     weft_texture_options texture;
@@ -62,6 +64,11 @@ static int parse(render_options* o, arguments* common, int count, char** words)
         {"--maps", OPTION_TEXT, &o->maps_text, "N,N,...", "channels of each map, one file per map", 0, 0},
         {"--mix", OPTION_TEXT, &o->mix, "MAP.png", "which step of a mixed model is where", 0, 0},
         {"--mix-scale", OPTION_COUNT, &o->mix_scale, "S", "pixels per pixel of that map; default 1", 1, 65536},
+        {"--rotation", OPTION_CHOICE, &o->rotation, "default|none|all", "of exchanged contents; default what fits", 0,
+         0},
+        {"--scale-min", OPTION_REAL, &o->texture.scale_min, "S", "least scale of exchanged contents", 0.5, 1},
+        {"--turbulence", OPTION_REAL, &o->texture.turbulence, "N", "distortion in pixels; below 0: none", -1, 64},
+        {"--noise", OPTION_CHOICE, &o->noise, "texton|tile", "how noises are made; default texton", 0, 0},
     };
     const command_line line = {"render",
                                "MODEL -o OUT.png --size WxH",
@@ -79,6 +86,8 @@ static int parse(render_options* o, arguments* common, int count, char** words)
     o->texture.period_x = o->period.width;
     o->texture.period_y = o->period.height;
     o->texture.mix_scale = (float)o->mix_scale;
+    o->texture.rotation = (weft_rotation)o->rotation;
+    o->texture.noise = o->noise == 0 ? WEFT_NOISE_DEFAULT : WEFT_NOISE_TILE;
     return check(o, common);
 }
 

@@ -2,7 +2,6 @@
 #include "sheet.h"
 #include "command.h"
 #include "file.h"
-#include "json.h"
 #include "open.h"
 #include "options.h"
 #include "progress.h"
@@ -90,14 +89,14 @@ static void show_levels(sheet* s)
     }
 }
 
-/* A noise of a small period, a picture of its own, at a level that lets it fit three times. */
+/* A noise of a small period, what has a picture in it of that one's, at a level that lets it fit three times. */
 static void show_repeat(sheet* s)
 {
     enum { PERIOD = 160, TIMES = 3 };
     const tones plain = {0, 1};
     weft_texture_options options = WEFT_TEXTURE_OPTIONS_INIT;
-    const int picture = s->info.method == WEFT_METHOD_PICTURE;
-    uint32_t period_x = picture ? s->info.width : PERIOD, period_y = picture ? s->info.height : PERIOD, level = 0;
+    const int noise = s->info.method == WEFT_METHOD_TEXTON || s->info.method == WEFT_METHOD_WAVELET;
+    uint32_t period_x = noise ? PERIOD : s->info.width, period_y = noise ? PERIOD : s->info.height, level = 0;
     options.seed = 1;
     options.period_x = period_x;
     options.period_y = period_y;
@@ -121,16 +120,6 @@ static void draw(sheet* s, const char* path)
     if (s->code == EXIT_FINE) s->code = canvas_grow(&s->canvas, s->bottom + SHEET_MARGIN);
 }
 
-static void report(const sheet* s, const char* output)
-{
-    json out = json_begin(stdout);
-    json_object(&out, NULL);
-    json_text(&out, "output", output);
-    json_unsigned(&out, "width", s->canvas.width);
-    json_unsigned(&out, "height", s->canvas.height);
-    json_end(&out);
-}
-
 static int make_sheet(sheet* s, const arguments* common, const char* photo, const char* output)
 {
     weft_model* model = NULL;
@@ -143,7 +132,7 @@ static int make_sheet(sheet* s, const arguments* common, const char* photo, cons
     s->code = code;
     if (code == EXIT_FINE) draw(s, common->operand[0]);
     if (s->code == EXIT_FINE) s->code = canvas_write(&s->canvas, output);
-    if (s->code == EXIT_FINE && common->json) report(s, output);
+    if (s->code == EXIT_FINE && common->json) sheet_report(s, output);
     weft_model_free(model);
     weft_context_free(s->context);
     return s->code;

@@ -44,6 +44,9 @@ void sheet_check(sheet* s, weft_status status);
 /* Memory of that many bytes, or NULL and a failure. */
 void* sheet_memory(sheet* s, size_t size);
 
+/* Where the sheet lies and how large it is, as JSON. */
+void sheet_report(const sheet* s, const char* output);
+
 int sheet_is_mixed(const sheet* s);
 
 /* What a model holds, method by method. */

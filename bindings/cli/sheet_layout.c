@@ -1,6 +1,7 @@
 /* Where the panels of a sheet go, and what every panel needs. */
 #include "command.h"
 #include "font.h"
+#include "json.h"
 #include "progress.h"
 #include "report.h"
 #include "sheet.h"
@@ -66,6 +67,16 @@ void sheet_render(sheet* s, const weft_model* model, const weft_texture_options*
     if (s->code == EXIT_FINE) sheet_check(s, weft_texture_render(texture, 0, 0, level, progress_step, &whole, image));
     progress_clear();
     weft_texture_free(texture);
+}
+
+void sheet_report(const sheet* s, const char* output)
+{
+    json out = json_begin(stdout);
+    json_object(&out, NULL);
+    json_text(&out, "output", output);
+    json_unsigned(&out, "width", s->canvas.width);
+    json_unsigned(&out, "height", s->canvas.height);
+    json_end(&out);
 }
 
 void sheet_check(sheet* s, weft_status status)

@@ -1,6 +1,7 @@
 /* What a model holds, drawn: the panels of each method. */
 #include "command.h"
 #include "sheet.h"
+#include "sheet_bilayer.h"
 #include "sheet_wavelet.h"
 
 #include <stdlib.h>
@@ -58,7 +59,7 @@ static void show_mixture(sheet* s)
 static const struct {
     weft_method method;
     void (*show)(sheet* s);
-} methods[] = {{WEFT_METHOD_WAVELET, sheet_wavelet}};
+} methods[] = {{WEFT_METHOD_WAVELET, sheet_wavelet}, {WEFT_METHOD_BILAYER, sheet_bilayer}};
 
 void sheet_model(sheet* s)
 {

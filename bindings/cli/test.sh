@@ -55,14 +55,14 @@ expect 2 "$weft" nonsense
 expect 0 "$weft" --help
 expect 0 "$weft" --version
 says '^weft [0-9]*\.[0-9]*\.[0-9]*, libweft '
-for command in analyze describe render info export import mix sheet tile apply compare devices bench; do
+for command in analyze describe render info export import mix preview sheet tile apply compare devices bench; do
     expect 0 "$weft" $command --help
     says 'exit codes: 0 fine, 1 the work failed, 2 wrong usage, 3 cancelled'
     expect 2 "$weft" $command --no-such-option
     expect 2 "$weft" $command --threads 0
     expect 2 "$weft" $command --threads
 done
-for command in analyze describe render info export import mix sheet tile apply compare bench; do expect 2 "$weft" $command; done
+for command in analyze describe render info export import mix preview sheet tile apply compare bench; do expect 2 "$weft" $command; done
 
 # Devices
 expect 0 "$weft" devices
@@ -172,6 +172,62 @@ for device in $("$weft" devices | awk '$2 == "exact" { print $1 }'); do
     expect 0 "$weft" render wavelet.weft -o device.png --size 90x70 --at -33,12 --device "$device"
     same wavelet.png device.png "wavelet noise on device $device"
 done
+
+# Bi-layer textures: of a small picture, as every way of putting structure together
+expect 0 "$weft" render photo.weft -o small.png --size 96x80
+for structure in auto wang exchange both none; do
+    expect 0 "$weft" analyze small.png -o layers-$structure.weft --method bilayer --structure $structure --noises 2 --support 16 --seed 3
+    says "^layers-$structure.weft: bilayer"
+    expect 0 "$weft" export layers-$structure.weft parts_$structure
+    valid_json parts_$structure/model.json
+    for file in mask-0 texton-0 spectrum-0 noise; do
+        [ -s parts_$structure/$file.png ] || bad "export of $structure wrote no $file.png"
+    done
+    expect 0 "$weft" sheet layers-$structure.weft -o sheet.png --photo small.png
+done
+[ -s parts_wang/structure.png ] || bad "export wrote no structure.png"
+[ ! -e parts_none/structure.png ] || bad "export wrote a structure where there is none"
+expect 0 "$weft" analyze "$grey" -o patches.weft --method bilayer --structure exchange --noises 1 --support 16
+expect 0 "$weft" export patches.weft parts_exchange
+[ -s parts_exchange/patches.png ] || bad "export wrote no patches.png"
+grep -q '^patch,x,y,degrees,scale$' parts_exchange/contents.csv || bad "export wrote no contents.csv"
+[ "$(awk -F, 'NF != 5' parts_exchange/contents.csv | wc -l)" -eq 0 ] || bad "contents.csv is no table"
+expect 0 "$weft" analyze small.png -o layers.weft --method bilayer --window 2 --mask-window 4 --masks barycentric \
+    --structure exchange --border 2 --equalize --depth 2 --support 16 --noises 3 --json
+valid_json out
+expect 0 "$weft" info layers.weft
+says '^method *bilayer$'
+expect 0 "$weft" info layers.weft --json
+valid_json out
+expect 0 "$weft" render layers.weft -o layers.png --size 90x70 --at -33,12 --device scalar --threads 1 --rotation all \
+    --scale-min 0.5 --turbulence 5 --noise tile
+for device in $("$weft" devices | awk '$2 == "exact" { print $1 }'); do
+    expect 0 "$weft" render layers.weft -o device.png --size 90x70 --at -33,12 --device "$device" --rotation all \
+        --scale-min 0.5 --turbulence 5 --noise tile
+    same layers.png device.png "a bi-layer texture on device $device"
+done
+expect 0 "$weft" render layers.weft -o layers2.png --size 90x70 --at -33,12 --rotation none --turbulence -1
+checks=$((checks + 1))
+cmp -s layers.png layers2.png && bad "deformations do nothing"
+for bad_option in "--rotation some" "--scale-min 0.4" "--turbulence 65" "--noise white"; do
+    # shellcheck disable=SC2086
+    expect 2 "$weft" render layers.weft -o bad.png --size 8x8 $bad_option
+done
+expect 1 "$weft" render photo.weft -o bad.png --size 8x8 --rotation all
+for bad_option in "--noises 7" "--window 17" "--mask-window 1" "--masks soft" "--structure some" "--border 65" "--depth 5"; do
+    # shellcheck disable=SC2086
+    expect 2 "$weft" analyze small.png -o bad.weft --method bilayer $bad_option
+done
+expect 1 "$weft" analyze small.png -o bad.weft --method bilayer --window 3
+expect 1 "$weft" analyze small.png -o bad.weft --method bilayer --support 100
+expect 0 "$weft" preview small.png -o preview.png --noises 2 --json
+valid_json out
+expect 0 "$weft" preview small.png -o preview2.png --noises 2 --threads 1 --quiet
+same preview.png preview2.png "a preview"
+expect 2 "$weft" preview small.png
+expect 2 "$weft" preview small.png -o bad.png --noises 9
+expect 1 "$weft" preview no_such_file -o bad.png
+absent bad.png bad.weft
 
 # What a photo is like
 expect 0 "$weft" describe "$photo"

@@ -200,6 +200,48 @@ typedef struct weft_wavelet_options {
 WEFT_API weft_status weft_analyze_wavelet(weft_context *context, const weft_image *photo, const weft_wavelet_options *options,
                                           weft_progress progress, void *user, weft_model **model) WEFT_NOEXCEPT;
 
+typedef int32_t weft_masks;
+enum {
+  WEFT_MASKS_DEFAULT     = 0, /* BINARY */
+  WEFT_MASKS_BINARY      = 1, /* each pixel has the noise whose spectrum is nearest to its own */
+  WEFT_MASKS_BARYCENTRIC = 2  /* convex weights after the distances to all of them */
+};
+
+/* How the structure layer is put together anew. */
+typedef int32_t weft_structure;
+enum {
+  WEFT_STRUCTURE_AUTO     = 0, /* decided by what the exemplar bears */
+  WEFT_STRUCTURE_WANG     = 1, /* Wang tiles of diamonds and minimal cuts */
+  WEFT_STRUCTURE_EXCHANGE = 2, /* the exemplar as a torus, the contents of its patches exchanged */
+  WEFT_STRUCTURE_BOTH     = 3, /* contents exchanged within Wang tiles */
+  WEFT_STRUCTURE_NONE     = 4  /* no structure: noise whose spectrum varies in space, or is stationary with one noise */
+};
+
+/* Bi-layer textures: Guingo, Sauvage, Dischler, Cani, "Bi-Layer Textures: a Model for Synthesis and Deformation of Composite
+ * Textures", Computer Graphics Forum 2017. */
+typedef struct weft_bilayer_options {
+  uint32_t       size;
+  uint32_t       noises;      /* K: noises of different spectra, 1..6; 0: as many as the local spectra tell apart */
+  uint32_t       window;      /* T_loc of the filter that finds the structure: 2, 4, 8 or 16 pixels; 0: 4 */
+  uint32_t       mask_window; /* T_loc of the masks; 0: 8 */
+  uint32_t       support;     /* T, side of the noises' spectra and textons: 8..256; 0: 64, or what the photo has room for */
+  weft_masks     masks;
+  weft_structure structure;
+  uint32_t       colours;     /* of the edges of Wang tiles, 2..16; 0: 4 */
+  uint32_t       border;      /* pixels on both sides of the masks' borders that belong to the structure alone, up to 64; 0: none */
+  uint32_t       equalize;    /* 1: each noise is given the histograms it had */
+  uint32_t       depth;       /* passes of the filter, each over the noise that the last one left, 1..4; 0: 1 */
+  uint32_t       filter_width;      /* of the filter's neighbourhood in pixels, 2..64; 0: 16 */
+  uint32_t       filter_iterations; /* 1..32; 0: 5 */
+  float          filter_sigma;      /* distance of local spectra that the filter joins, of values in 0..1; 0: 0.01 */
+  uint64_t       seed;
+} weft_bilayer_options;
+#define WEFT_BILAYER_OPTIONS_INIT { sizeof(weft_bilayer_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+
+/* Splits a photo of 32 x 32 to 8192 x 8192 pixels into structure and noises. `options` and `progress` may be NULL. */
+WEFT_API weft_status weft_analyze_bilayer(weft_context *context, const weft_image *photo, const weft_bilayer_options *options,
+                                          weft_progress progress, void *user, weft_model **model) WEFT_NOEXCEPT;
+
 /* How alike the neighbourhoods of all pixels are, in CIE L*a*b*, channel by channel (Moritz, James, Haines, Ritschel,
  * Weyrich, "Texture Stationarization: Turning Photos into Tileable Textures", Computer Graphics Forum 2017, section 3). */
 typedef int32_t weft_stationarity;
@@ -258,8 +300,9 @@ typedef int32_t weft_method;
 enum {
   WEFT_METHOD_TEXTON     = 1, /* texton noise */
   WEFT_METHOD_WAVELET    = 2, /* multiresolution wavelet noise */
+  WEFT_METHOD_BILAYER    = 3, /* structure and noises */
   WEFT_METHOD_STATIONARY = 4, /* a tile made of a photo's patches, repeated */
-  WEFT_METHOD_PICTURE    = 5  /* a picture, repeated; 3 is kept for bi-layer textures */
+  WEFT_METHOD_PICTURE    = 5  /* a picture, repeated */
 };
 
 typedef struct weft_model_info {
@@ -268,7 +311,7 @@ typedef struct weft_model_info {
   uint32_t    channels;
   uint32_t    parts;         /* images that weft_model_part hands out */
   uint64_t    bytes;         /* of weft_model_save */
-  uint32_t    width, height; /* of the texton, tile or picture, in pixels of the exemplar */
+  uint32_t    width, height; /* of the texton, structure, tile or picture, in pixels of the exemplar */
   float       model_error;   /* relative model error against the periodogram of the photo (Xia et al. 2014): 0 best; -1: unknown */
   weft_interpolation interpolation; /* of the texton; 0 for other methods */
   float       mean[16];      /* of the texture, per channel: exact; of a mixed model, here and below: of its first step */
@@ -328,7 +371,10 @@ WEFT_API weft_status weft_model_mix(weft_context *context, const weft_model *a, 
 typedef struct weft_part_info {
   uint32_t size;
   char     name[32]; /* "texton", "picture"; of a mixed model "texton 0", "texton 1", ...; of a stationary one "tile" and
-                        "correspondence": x and y of the pixel of the photo that is the middle of each pixel's patch */
+                        "correspondence": x and y of the pixel of the photo that is the middle of each pixel's patch; of a bi-layer
+                        one "structure", "mask 0", ..., "texton 0", ... along principal axes, "noise": what the photo
+                        has beyond its structure, "patches": their numbers, "contents": a row of patch, x, y, degrees,
+                        scale for each */
   uint32_t width, height, channels;
   float    low, high; /* least and greatest value in it */
 } weft_part_info;
@@ -351,6 +397,22 @@ WEFT_API void weft_model_free(weft_model *model) WEFT_NOEXCEPT;
 
 typedef struct weft_texture weft_texture;
 
+/* What of a bi-layer model's exchanged contents may be turned. */
+typedef int32_t weft_rotation;
+enum {
+  WEFT_ROTATION_DEFAULT = 0, /* what the exemplar bears, as the analysis measured it */
+  WEFT_ROTATION_NONE    = 1,
+  WEFT_ROTATION_ALL     = 2  /* by 45, 90, 135 and 180 degrees */
+};
+
+/* How a bi-layer model's noises are made. */
+typedef int32_t weft_noise;
+enum {
+  WEFT_NOISE_DEFAULT = 0, /* TEXTON */
+  WEFT_NOISE_TEXTON  = 1, /* texton noise: never repeats */
+  WEFT_NOISE_TILE    = 2  /* large random-phase tiles that repeat: faster */
+};
+
 typedef struct weft_texture_options {
   uint32_t size;
   uint32_t period_x, period_y; /* pixels after which the texture repeats exactly, up to 2^24; 0: a noise never, others after themselves */
@@ -358,9 +420,13 @@ typedef struct weft_texture_options {
   uint64_t seed;
   const weft_image *mix;       /* 1 channel in 0..1, repeated: which step of a mixed model where, 0 the first, 1 the last; NULL: 0 */
   float    mix_scale;          /* pixels of the texture per pixel of `mix`, 1..65536, whole; 0: 1 */
+  weft_rotation rotation;      /* here and below: of bi-layer models */
+  float    scale_min;          /* least scale of exchanged contents, 0.5..1; 0: what the exemplar bears */
+  float    turbulence;         /* smooth distortion of the structure in pixels, up to 64; 0: what the exemplar bears; below 0: none */
+  weft_noise noise;
   uint32_t zero;
 } weft_texture_options;
-#define WEFT_TEXTURE_OPTIONS_INIT { sizeof(weft_texture_options), 0, 0, 0, 0, NULL, 0, 0 }
+#define WEFT_TEXTURE_OPTIONS_INIT { sizeof(weft_texture_options), 0, 0, 0, 0, NULL, 0, 0, 0, 0, 0, 0 }
 
 /* `options` may be NULL. A picture or tile takes only periods that are multiples of its size; else WEFT_ERROR_ARGUMENT. */
 WEFT_API weft_status weft_texture_create(weft_context *context, const weft_model *model, const weft_texture_options *options,

@@ -16,8 +16,9 @@ namespace {
 
 constexpr const char* function = "weft_describe";
 constexpr std::uint32_t least_side = 16, most_side_seen = 512, realisations = 4, blocks = 8, least_lag = 4;
+constexpr std::uint32_t least_layered_side = 32;             // as weft_analyze_bilayer has it
 constexpr double least_peak = 0.15, least_prominence = 0.15; // of an autocovariance, relative to lag 0
-constexpr double structured = 0.16, isotropic = 0.085, normal_enough = 0.08, too_uneven = 0.05;
+constexpr double structured = 0.16, isotropic = 0.085, normal_enough = 0.08, too_uneven = 0.32;
 
 /// The middle of the first principal channel, at most 512 x 512 pixels of it.
 Planes middle_of(Core& core, const weft_image& photo)
@@ -175,7 +176,8 @@ Measures measure(Core& core, const Planes& plane, double deviation, const Progre
 
 float rounded(double value) noexcept { return static_cast<float>(std::round(value * 1000) / 1000); }
 
-void recommend(const Measures& found, weft_description& description)
+/// `layers`: the photo is large enough for a bi-layer texture.
+void recommend(const Measures& found, bool layers, weft_description& description)
 {
     const float structure = rounded(found.structure), histogram = rounded(found.histogram),
                 anisotropy = rounded(found.anisotropy);
@@ -191,9 +193,10 @@ void recommend(const Measures& found, weft_description& description)
                      "), and places that differ (", rounded(found.unevenness), ", above ", rounded(too_uneven),
                      "), which would show when it is repeated: a stationary tile evens them out."));
     else if (found.structure > structured && !tone_helps)
-        say(WEFT_METHOD_PICTURE,
-            Sentence("Structure that no Gaussian noise has (", structure, ", above ", rounded(structured),
-                     "): a picture keeps it, and repeats; noise would keep only its colours and grain."));
+        say(layers ? WEFT_METHOD_BILAYER : WEFT_METHOD_PICTURE,
+            Sentence("Structure that no Gaussian noise has (", structure, ", above ", rounded(structured), "): ",
+                     layers ? "a bi-layer texture rearranges it and makes the noise between anew."
+                            : "a picture keeps it, and repeats; noise would keep only its colours and grain."));
     else if (tone_helps)
         say(WEFT_METHOD_WAVELET,
             Sentence("No direction (", anisotropy, ") and values that are not normal (", histogram, ", above ",
@@ -233,7 +236,7 @@ void describe(Core& core, const weft_image& photo, const Progress& progress, wef
     description.unevenness = static_cast<float>(found.unevenness);
     description.period_x = found.period[0];
     description.period_y = found.period[1];
-    recommend(found, description);
+    recommend(found, std::min(photo.width, photo.height) >= least_layered_side, description);
 }
 
 } // namespace weft

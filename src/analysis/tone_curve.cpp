@@ -158,7 +158,7 @@ void monotone_slopes(const double* x, const double* y, std::uint32_t count, doub
 }
 
 void fit_tone_curve(const Normal_scores& scores, double unit, double deviation, double wanted, std::uint32_t axis,
-                    Wavelet& wavelet) noexcept
+                    Colour_axes& tones) noexcept
 {
     const double low = std::max(-farthest_knot, std::min(static_cast<double>(scores.least_score()), -1.0));
     const double high = std::min(farthest_knot, std::max(static_cast<double>(scores.greatest_score()), 1.0));
@@ -170,28 +170,28 @@ void fit_tone_curve(const Normal_scores& scores, double unit, double deviation, 
     Knots knots;
     knots.insert(0, x[0], y[0]);
     knots.insert(grid, x[grid], y[grid]);
-    while (knots.count < wavelet.knots) {
+    while (knots.count < tones.knots) {
         const std::uint32_t place = worst_place(knots, x, y);
         knots.insert(place, x[place], y[place]);
     }
     const auto set = [&](double factor, double shift) {
         for (std::uint32_t k = 0; k < knots.count; ++k) {
-            wavelet.knot_x[k][axis] = static_cast<float>(knots.x[k] * deviation);
-            wavelet.knot_y[k][axis] = static_cast<float>(knots.y[k] * factor + shift);
-            wavelet.knot_slope[k][axis] = static_cast<float>(knots.slope[k] * factor / deviation);
+            tones.knot_x[k][axis] = static_cast<float>(knots.x[k] * deviation);
+            tones.knot_y[k][axis] = static_cast<float>(knots.y[k] * factor + shift);
+            tones.knot_slope[k][axis] = static_cast<float>(knots.slope[k] * factor / deviation);
         }
     };
     set(1 / unit, 0);
-    const Tone_moments moments = tone_moments(wavelet, axis, deviation * deviation);
+    const Tone_moments moments = tone_moments(tones, axis, deviation * deviation);
     const double factor = moments.variance > 0 ? wanted / std::sqrt(moments.variance) : 1;
     set(factor / unit, -moments.mean * factor);
 }
 
-void set_flat_tone_curve(std::uint32_t axis, Wavelet& wavelet) noexcept
+void set_flat_tone_curve(std::uint32_t axis, Colour_axes& tones) noexcept
 {
-    for (std::uint32_t k = 0; k < wavelet.knots; ++k) {
-        wavelet.knot_x[k][axis] = static_cast<float>(k) - static_cast<float>(wavelet.knots - 1) / 2;
-        wavelet.knot_y[k][axis] = wavelet.knot_slope[k][axis] = 0;
+    for (std::uint32_t k = 0; k < tones.knots; ++k) {
+        tones.knot_x[k][axis] = static_cast<float>(k) - static_cast<float>(tones.knots - 1) / 2;
+        tones.knot_y[k][axis] = tones.knot_slope[k][axis] = 0;
     }
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/array.h"
 #include "base/core.h"
-#include "model/wavelet.h"
+#include "model/colour_axes.h"
 
 namespace weft {
 
@@ -28,12 +28,12 @@ private:
 };
 
 /// Sets the knots of `axis`: the curve that makes values / unit of normal numbers of standard deviation `deviation`, of
-/// mean 0 and standard deviation `wanted` exactly. wavelet.knots are set where the curve needs them most.
+/// mean 0 and standard deviation `wanted` exactly. tones.knots are set where the curve needs them most.
 void fit_tone_curve(const Normal_scores& scores, double unit, double deviation, double wanted, std::uint32_t axis,
-                    Wavelet& wavelet) noexcept;
+                    Colour_axes& tones) noexcept;
 
 /// A tone curve that is 0 everywhere.
-void set_flat_tone_curve(std::uint32_t axis, Wavelet& wavelet) noexcept;
+void set_flat_tone_curve(std::uint32_t axis, Colour_axes& tones) noexcept;
 
 /// Slopes of a monotone cubic Hermite spline through ascending points (Fritsch and Carlson 1980).
 void monotone_slopes(const double* x, const double* y, std::uint32_t count, double* slope) noexcept;

@@ -1,4 +1,5 @@
 /// weft_analyze_*: photo -> model.
+#include "analysis/bilayer.h"
 #include "analysis/texton.h"
 #include "analysis/wavelet.h"
 #include "api/guard.h"
@@ -32,6 +33,19 @@ weft_status weft_analyze_wavelet(weft_context* context, const weft_image* photo,
         check_image(photo, function, "photo");
         const auto options = read_options(given, function, "options");
         *model = make_model(*context, analyze_wavelet(*context->core, *photo, options, Progress(progress, user)));
+    });
+}
+
+weft_status weft_analyze_bilayer(weft_context* context, const weft_image* photo, const weft_bilayer_options* given,
+                                 weft_progress progress, void* user, weft_model** model) noexcept
+{
+    constexpr char function[] = "weft_analyze_bilayer";
+    return guard(function, [&] {
+        require(context, function, ": context is NULL");
+        require(model, function, ": model is NULL");
+        check_image(photo, function, "photo");
+        const auto options = read_options(given, function, "options");
+        *model = make_model(*context, analyze_bilayer(*context->core, *photo, options, Progress(progress, user)));
     });
 }
 

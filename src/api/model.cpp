@@ -4,6 +4,7 @@
 #include "api/options.h"
 #include "base/image.h"
 #include "model/file.h"
+#include "model/parts.h"
 #include "model/texton_text.h"
 #include <algorithm>
 
@@ -11,20 +12,12 @@ using namespace weft;
 
 namespace {
 
-bool is_picture(const Model& model) noexcept
-{
-    return model.method == WEFT_METHOD_PICTURE || model.method == WEFT_METHOD_STATIONARY;
-}
-
-/// The picture, or all textons one after another; empty if the model has neither.
+/// What info tells the size of: a picture, a tile, a texton, or a structure layer.
 const Planes& planes_of(const Model& model) noexcept
 {
-    return is_picture(model) ? model.picture : model.texton.coefficients;
-}
-
-std::uint32_t parts_of(const Model& model) noexcept
-{
-    return model.method == WEFT_METHOD_WAVELET ? 0 : model.method == WEFT_METHOD_STATIONARY ? 2 : model.texton.images;
+    return model.method == WEFT_METHOD_TEXTON    ? model.texton.coefficients
+           : model.method == WEFT_METHOD_BILAYER ? model.bilayer.structure
+                                                 : model.picture;
 }
 
 weft_model_info info_of(const Loaded_model& loaded)
@@ -34,7 +27,7 @@ weft_model_info info_of(const Loaded_model& loaded)
     weft_model_info info{};
     info.method = model.method;
     info.channels = model.channels;
-    info.parts = parts_of(model);
+    info.parts = count_parts(model);
     info.bytes = size_of_file(model);
     info.width = planes.width;
     info.height = planes.height;
@@ -48,37 +41,13 @@ weft_model_info info_of(const Loaded_model& loaded)
     return info;
 }
 
-/// One image of a model: of a mixed one the texton of one step.
-struct Part {
-    const float* values;
-    std::uint32_t width, height, channels;
-    Planes made; ///< what `values` points to, if the model does not have it as floats
-    std::size_t count() const noexcept { return std::size_t{width} * height * channels; }
-};
-
-/// x and y as two planes.
-Planes places_of(const Model& model, std::pmr::memory_resource* memory)
-{
-    const Correspondence& from = model.correspondence;
-    Planes planes(memory, model.picture.width, model.picture.height, 2, Array<float>::unset);
-    std::copy(from.x.begin(), from.x.end(), planes.plane(0));
-    std::copy(from.y.begin(), from.y.end(), planes.plane(1));
-    return planes;
-}
-
 Part checked_part(const weft_model* handle, uint32_t index, const char* function)
 {
     require(handle, function, ": model is NULL");
     const Model& model = handle->loaded.object->model;
-    const std::uint32_t parts = parts_of(model);
+    const std::uint32_t parts = count_parts(model);
     require(index < parts, function, ": index is ", index, ", the model has ", parts, parts == 1 ? " part" : " parts");
-    const Planes& planes = planes_of(model);
-    if (is_picture(model) && index == 1) {
-        Planes places = places_of(model, &handle->core->memory);
-        const float* values = places.plane(0);
-        return {values, planes.width, planes.height, 2, std::move(places)};
-    }
-    return {planes.plane(std::size_t{index} * model.channels), planes.width, planes.height, model.channels, {}};
+    return part_of(model, index, &handle->core->memory);
 }
 
 } // namespace
@@ -149,15 +118,8 @@ weft_status weft_model_part(const weft_model* model, uint32_t index, weft_part_i
     return guard(function, [&] {
         const Part part = checked_part(model, index, function);
         const std::uint32_t size = checked_size(info, function, "info");
-        const Model& known = model->loaded.object->model;
-        const Sentence step("texton ", index);
-        const std::string_view name = known.method == WEFT_METHOD_PICTURE ? "picture"
-                                      : known.method == WEFT_METHOD_STATIONARY
-                                          ? (index == 0 ? "tile" : "correspondence")
-                                      : known.texton.images == 1 ? "texton"
-                                                                 : step.c_str();
         weft_part_info result{};
-        std::copy(name.begin(), name.end(), result.name);
+        std::copy_n(part.name, sizeof part.name, result.name);
         result.width = part.width;
         result.height = part.height;
         result.channels = part.channels;

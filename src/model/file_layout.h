@@ -18,7 +18,7 @@ constexpr std::uint32_t kind(char a, char b, char c, char d)
 }
 constexpr std::uint32_t meth = kind('M', 'E', 'T', 'H'), splt = kind('S', 'P', 'L', 'T'),
                         band = kind('B', 'A', 'N', 'D'), tile = kind('T', 'I', 'L', 'E'),
-                        corr = kind('C', 'O', 'R', 'R');
+                        bila = kind('B', 'I', 'L', 'A'), corr = kind('C', 'O', 'R', 'R');
 
 constexpr std::uint32_t meth_head = 16, splt_head = 32, band_head = 16, tile_head = 16,
                         corr_head = 32; ///< bytes of the payload before its values

@@ -2,6 +2,7 @@
 #include "base/bytes.h"
 #include "base/crc32c.h"
 #include "model/file.h"
+#include "model/file_bilayer.h"
 #include "model/file_layout.h"
 
 namespace weft {
@@ -86,8 +87,8 @@ Method read_method(const Chunk& chunk, Model& model)
     demand(flags == 0, "METH's flags are ", flags);
     demand(reader.remaining() == std::size_t{model.channels} * 4, "METH has ", chunk.payload.remaining(), " bytes");
     reader.floats(model.mean.data(), model.channels);
-    if (method != WEFT_METHOD_TEXTON && method != WEFT_METHOD_WAVELET && method != WEFT_METHOD_STATIONARY &&
-        method != WEFT_METHOD_PICTURE)
+    if (method != WEFT_METHOD_TEXTON && method != WEFT_METHOD_WAVELET && method != WEFT_METHOD_BILAYER &&
+        method != WEFT_METHOD_STATIONARY && method != WEFT_METHOD_PICTURE)
         throw Error(WEFT_ERROR_UNSUPPORTED, "method ", method, " is not known to this libweft");
     model.method = static_cast<weft_method>(method);
     const std::uint32_t layers = file::layers_of(model.method);
@@ -185,6 +186,8 @@ void read_layer(Chunk& chunk, std::pmr::memory_resource* memory, Model& model)
 {
     if (chunk.kind == file::splt)
         read_splat(chunk.payload, memory, model);
+    else if (chunk.kind == file::bila)
+        read_bilayer(chunk.payload, memory, model);
     else if (chunk.kind == file::band)
         read_bands(chunk.payload, model);
     else if (chunk.kind == file::corr)
@@ -217,7 +220,7 @@ Model read_model(std::pmr::memory_resource* memory, const unsigned char* bytes, 
     for (std::uint32_t i = 1; i < header.chunks; ++i) {
         Chunk chunk = read_chunk(reader);
         if (chunk.kind == file::meth || chunk.kind == file::splt || chunk.kind == file::band ||
-            chunk.kind == file::tile || chunk.kind == file::corr) {
+            chunk.kind == file::tile || chunk.kind == file::bila || chunk.kind == file::corr) {
             demand(!chunk.ignorable && chunk.kind != file::meth, "a chunk is marked as ignorable, or is a second METH");
             demand(layers++ < method.layers, "the model has more layers than METH says");
             read_layer(chunk, memory, model);

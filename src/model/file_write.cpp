@@ -2,6 +2,7 @@
 #include "base/bytes.h"
 #include "base/crc32c.h"
 #include "model/file.h"
+#include "model/file_bilayer.h"
 #include "model/file_layout.h"
 
 namespace weft {
@@ -20,6 +21,8 @@ std::uint64_t layer_length(const Model& model) noexcept
                (std::uint64_t{model.texton.means.size()} + model.texton.coefficients.values.size()) * 4;
     case WEFT_METHOD_WAVELET:
         return file::band_head + (channels + wavelet.bands + 3 * std::uint64_t{wavelet.knots}) * channels * 4;
+    case WEFT_METHOD_BILAYER:
+        return bilayer_length(model);
     default:
         return file::tile_head + std::uint64_t{model.picture.values.size()} * 4;
     }
@@ -132,6 +135,8 @@ void write_model(const Model& model, unsigned char* bytes, std::size_t size)
         return write_chunk(file, file::splt, length, [&](Writer& to) { write_splat(to, model); });
     case WEFT_METHOD_WAVELET:
         return write_chunk(file, file::band, length, [&](Writer& to) { write_bands(to, model); });
+    case WEFT_METHOD_BILAYER:
+        return write_chunk(file, file::bila, length, [&](Writer& to) { write_bilayer(to, model); });
     default:
         write_chunk(file, file::tile, length, [&](Writer& to) { write_tile(to, model); });
     }

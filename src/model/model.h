@@ -1,6 +1,7 @@
 /// What was learnt from a photo: method, mean colour, layers. Immutable once made; the file format is in FORMAT.md.
 #pragma once
 #include "base/array.h"
+#include "model/bilayer.h"
 #include "model/correspondence.h"
 #include "model/wavelet.h"
 #include <array>
@@ -33,6 +34,7 @@ struct Model {
         mean{};                    ///< of the noise (of the first step; before tone curves); PICTURE, STATIONARY: 0
     Texton texton;                 ///< WEFT_METHOD_TEXTON
     Wavelet wavelet;               ///< WEFT_METHOD_WAVELET
+    Bilayer bilayer;               ///< WEFT_METHOD_BILAYER
     Planes picture;                ///< WEFT_METHOD_PICTURE; the tile of WEFT_METHOD_STATIONARY
     Correspondence correspondence; ///< WEFT_METHOD_STATIONARY
 };

@@ -91,16 +91,23 @@ void add_axes(const Model& model, std::array<double, most_channels>& mean,
 
 } // namespace
 
+std::array<double, most_channels> texton_variance(const Planes& coefficients, std::uint32_t planes, std::uint32_t taps,
+                                                  std::pmr::memory_resource* memory, Parallel& parallel)
+{
+    const Autocorrelation b(taps);
+    const auto row_power = [&](std::uint32_t c, std::uint32_t y) { return power_of_row(coefficients, c, y, b); };
+    return sums_over_rows(coefficients, planes, memory, parallel, std::ref(row_power));
+}
+
 Statistics statistics_of(const Model& model, std::pmr::memory_resource* memory, Parallel& parallel)
 {
     Statistics result;
     std::array<double, most_channels> variance{};
     if (model.method == WEFT_METHOD_TEXTON) {
-        const Autocorrelation b(model.texton.taps);
-        const Planes& alpha = model.texton.coefficients;
-        const auto row_power = [&](std::uint32_t c, std::uint32_t y) { return power_of_row(alpha, c, y, b); };
-        variance = sums_over_rows(alpha, model.channels, memory, parallel, std::ref(row_power));
+        variance = texton_variance(model.texton.coefficients, model.channels, model.texton.taps, memory, parallel);
         result.mean = model.mean;
+    } else if (model.method == WEFT_METHOD_BILAYER) {
+        return bilayer_statistics(model, memory, parallel);
     } else if (model.method == WEFT_METHOD_WAVELET) {
         std::array<double, most_channels> mean{};
         for (std::uint32_t c = 0; c < model.channels; ++c) mean[c] = static_cast<double>(model.mean[c]);

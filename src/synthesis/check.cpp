@@ -1,56 +1,20 @@
 /// Programs are checked here once, so that no backend need.
 #include "synthesis/check.h"
-#include "base/error.h"
-#include "base/finite.h"
+#include "synthesis/check_parts.h"
 #include <cmath>
 
 namespace weft {
 
 namespace {
 
-template <class... Parts> void demand(bool good, const Parts&... parts)
-{
-    if (!good) throw Error(WEFT_ERROR_INTERNAL, "a program was made with ", parts...);
-}
-
-bool within(std::uint32_t value, std::uint32_t low, std::uint32_t high) noexcept
-{
-    return value >= low && value <= high;
-}
-
-bool all_finite(const float* values, std::size_t count) noexcept { return all_below(values, count, infinity_bits); }
-
 /// A choice is a plane of a TILE that comes before.
 void check_choice(const weft_ref& choice, const weft_program& program, std::uint32_t index)
 {
+    check_ref(choice, program, index, "a choice");
     if (choice.layer == -1) return;
-    demand(choice.layer >= 0 && static_cast<std::uint32_t>(choice.layer) < index, "a choice by layer ", choice.layer);
     const weft_layer& chooser = *program.layers[choice.layer];
-    demand(chooser.tile && chooser.tile->displacement.layer == -1 && choice.plane < chooser.planes,
-           "a choice by no TILE");
+    demand(chooser.tile && chooser.tile->displacement.layer == -1, "a choice by no TILE");
     demand(program.use != WEFT_USE_SURFACE, "a choice on a surface");
-}
-
-void check_mips(const weft_mips& mips, const weft_layer& layer, bool tile)
-{
-    demand(within(mips.width, 1, 16384) && within(mips.height, 1, 16384), "a picture of ", mips.width, " x ",
-           mips.height);
-    demand(mips.planes == layer.planes && within(mips.images, 1, tile ? 1 : 255), mips.planes, " planes and ",
-           mips.images, " images");
-    demand(within(mips.levels, 1, 15), mips.levels, " levels");
-    for (std::uint32_t l = 0; l < mips.levels; ++l) {
-        const weft_mip& level = mips.level[l];
-        demand(level.data && within(level.width, 1, mips.width + 8) && within(level.height, 1, mips.height + 8),
-               "an empty level ", l);
-        demand(l > 0 || tile || (level.width >= mips.width && level.height >= mips.height), "a small level 0");
-        demand(level.x >= -4 && level.x <= 4 && level.y >= -4 && level.y <= 4 &&
-                   (!tile || (level.x == 0 && level.y == 0)),
-               "a shifted level");
-        demand(!tile || (level.scale_x > 0 && level.scale_y > 0 && level.scale_x <= 1 && level.scale_y <= 1),
-               "a level of no scale");
-        demand(all_finite(level.data, std::size_t{level.width} * level.height * mips.planes * mips.images),
-               "a texel that is not finite");
-    }
 }
 
 void check_splat(const weft_splat& splat, const weft_layer& layer, const weft_program& program, std::uint32_t index)
@@ -65,28 +29,7 @@ void check_splat(const weft_splat& splat, const weft_layer& layer, const weft_pr
     demand(all_finite(splat.offset, layer.planes), "an offset that is not finite");
     for (std::uint32_t p = 0; p < layer.planes; ++p)
         demand(splat.offset[p] != 0 || !std::signbit(splat.offset[p]), "an offset of -0");
-    check_mips(*splat.textons, layer, false);
-}
-
-void check_grid(const weft_grid& grid, std::uint32_t size, std::uint32_t period)
-{
-    demand(grid.span >= 1 && grid.cells >= 1 && (period == 0 ? grid.cells == 1 : grid.span == period), "a grid of ",
-           grid.cells, " cells on ", grid.span, " pixels");
-    demand(std::isfinite(grid.inverse) && grid.step > 0 && grid.step < static_cast<float>(size) + 1.0F,
-           "a grid of step ", grid.step);
-    demand((std::uint64_t{grid.cells} * size == grid.span) == (grid.step == 1.0F), "a stretched grid of step 1");
-}
-
-void check_tile(const weft_tile& tile, const weft_layer& layer, const weft_program& program)
-{
-    demand(tile.address == WEFT_ADDRESS_CELLS && !tile.wang && !tile.exchange,
-           "an address that this libweft does not make");
-    demand(tile.source && tile.displacement.layer == -1 && std::isfinite(tile.level), "an incomplete TILE");
-    demand(tile.width == tile.source->width && tile.height == tile.source->height, "cells of ", tile.width, " x ",
-           tile.height);
-    check_grid(tile.x, tile.width, program.period[0]);
-    check_grid(tile.y, tile.height, program.period[1]);
-    check_mips(*tile.source, layer, true);
+    check_mips(*splat.textons, layer.planes, false);
 }
 
 void check_bands(const weft_bands& bands, const weft_layer& layer, const weft_program& program)
@@ -131,7 +74,8 @@ void check_layer(const weft_program& program, std::uint32_t index)
     const weft_layer& layer = *program.layers[index];
     demand(within(layer.planes, 1, 40) && layer.channels <= layer.planes && layer.channels <= 16, layer.planes,
            " planes, ", layer.channels, " of them coloured");
-    demand(layer.mask.layer == -1, "a mask, which this libweft does not make");
+    check_ref(layer.mask, program, index, "a mask");
+    demand(layer.mask.layer == -1 || program.use <= WEFT_USE_POINTS, "a mask in space");
     demand(layer.colour && layer.mean && all_finite(layer.colour, std::size_t{program.channels} * layer.channels) &&
                all_finite(layer.mean, program.channels),
            "a colour that is not finite");
@@ -145,7 +89,7 @@ void check_layer(const weft_program& program, std::uint32_t index)
                          : program.use <= WEFT_USE_POINTS,
            "a layer of kind ", layer.kind, " for use ", program.use);
     if (layer.splat) check_splat(*layer.splat, layer, program, index);
-    if (layer.tile) check_tile(*layer.tile, layer, program);
+    if (layer.tile) check_tile(*layer.tile, program, index);
     if (layer.bands) check_bands(*layer.bands, layer, program);
     for (std::uint32_t c = 0; layer.tones && c < layer.channels; ++c) check_tone(layer.tones[c]);
 }

@@ -20,16 +20,16 @@ weft_grid grid_of(std::uint32_t size, std::uint32_t scale, std::uint32_t period)
 
 } // namespace
 
-weft_tile repeated_tile(const weft_mips& picture, std::uint32_t scale, std::uint32_t period_x,
-                        std::uint32_t period_y) noexcept
+weft_tile repeated_tile(const weft_mips& picture, std::uint32_t width, std::uint32_t height, std::uint32_t scale,
+                        std::uint32_t period_x, std::uint32_t period_y) noexcept
 {
     weft_tile tile{};
     tile.size = sizeof tile;
     tile.address = WEFT_ADDRESS_CELLS;
-    tile.width = picture.width;
-    tile.height = picture.height;
-    tile.x = grid_of(picture.width, scale, period_x);
-    tile.y = grid_of(picture.height, scale, period_y);
+    tile.width = width;
+    tile.height = height;
+    tile.x = grid_of(width, scale, period_x);
+    tile.y = grid_of(height, scale, period_y);
     tile.displacement = nobody;
     tile.level = static_cast<float>(log2_of(static_cast<double>(std::max(tile.x.step, tile.y.step))));
     tile.source = &picture;

@@ -116,25 +116,26 @@ void make_picture_mips(Mip_chain& chain, const Planes& picture, std::pmr::memory
     publish(chain, picture, 1, levels);
 }
 
-void make_texton_mips(Mip_chain& chain, const Texton& texton, std::uint32_t images, double scale, double rate,
-                      std::uint32_t most, std::pmr::memory_resource* memory, Parallel& parallel)
+void make_texton_mips(Mip_chain& chain, const Splat_source& source, double scale, double rate, std::uint32_t most,
+                      std::pmr::memory_resource* memory, Parallel& parallel)
 {
     constexpr double unseen = 1.0 / 2048; // of the range of colours
     constexpr double most_impacts = 8192; // a sample: beyond, a window takes minutes
-    const Planes& alpha = texton.coefficients;
-    chain.own[0] = Planes(memory, alpha.width, alpha.height, alpha.count / texton.images * images, Array<float>::unset);
+    const Planes& alpha = source.coefficients;
+    chain.own[0] =
+        Planes(memory, alpha.width, alpha.height, alpha.count / source.stored * source.images, Array<float>::unset);
     for (std::size_t i = 0; i < chain.own[0].values.size(); ++i)
         chain.own[0].values[i] = static_cast<float>(static_cast<double>(alpha.values[i]) * scale);
     std::uint32_t levels = 1;
     for (; levels < most; ++levels) {
         const Planes& fine = chain.own[levels - 1];
         if (fine.width == 1 && fine.height == 1) {
-            const Reach next = reach_of(fine, rate, levels - 1, texton.taps);
+            const Reach next = reach_of(fine, rate, levels - 1, source.taps);
             if (next.deviation / 2 < unseen || next.impacts * 4 > most_impacts) break;
         }
-        chain.own[levels] = coarser(fine, texton.taps, levels == 1, memory, parallel);
+        chain.own[levels] = coarser(fine, source.taps, levels == 1, memory, parallel);
     }
-    publish(chain, chain.own[0], images, levels);
+    publish(chain, chain.own[0], source.images, levels);
 }
 
 } // namespace weft

@@ -34,6 +34,22 @@ void check_mix(const Model& model, const weft_texture_options& options)
             ": options->mix is given, but the model is not mixed of two by weft_model_mix");
 }
 
+void check_layers(const Model& model, const weft_texture_options& options)
+{
+    constexpr char function[] = "weft_texture_create";
+    require(options.rotation >= WEFT_ROTATION_DEFAULT && options.rotation <= WEFT_ROTATION_ALL, function,
+            ": options->rotation is ", options.rotation, ", none of WEFT_ROTATION_*");
+    require(options.scale_min == 0 || (options.scale_min >= 0.5F && options.scale_min <= 1), function,
+            ": options->scale_min is ", options.scale_min, ", not 0.5..1");
+    require(options.turbulence <= 64 && std::isfinite(options.turbulence), function, ": options->turbulence is ",
+            options.turbulence, ", not 64 or less");
+    require(options.noise >= WEFT_NOISE_DEFAULT && options.noise <= WEFT_NOISE_TILE, function, ": options->noise is ",
+            options.noise, ", none of WEFT_NOISE_*");
+    require(model.method == WEFT_METHOD_BILAYER ||
+                (options.rotation == 0 && options.scale_min == 0 && options.turbulence == 0 && options.noise == 0),
+            function, ": options->rotation, scale_min, turbulence or noise is given, but the model has one layer");
+}
+
 } // namespace
 
 weft_texture_options complete_options(const Model& model, weft_texture_options options)
@@ -44,6 +60,7 @@ weft_texture_options complete_options(const Model& model, weft_texture_options o
     check_period(options.period_x, model.picture.width, "period_x");
     check_period(options.period_y, model.picture.height, "period_y");
     check_mix(model, options);
+    check_layers(model, options);
     return options;
 }
 
@@ -56,6 +73,8 @@ Program::Program(Core& core, const Model& model, const weft_texture_options& opt
     }
     if (model.method == WEFT_METHOD_WAVELET)
         add_bands(core, model.wavelet, options, positions);
+    else if (model.method == WEFT_METHOD_BILAYER)
+        add_bilayer(core, model.bilayer, options);
     else if (model.method == WEFT_METHOD_PICTURE || model.method == WEFT_METHOD_STATIONARY)
         add_picture(core, model.picture, options);
     else if (positions == in_space)
@@ -73,7 +92,7 @@ Program::Program(Core& core, const Model& model, const weft_texture_options& opt
 void Program::add_picture(Core& core, const Planes& picture, const weft_texture_options& options)
 {
     make_picture_mips(mips_, picture, &core.memory, core.parallel);
-    tile_ = repeated_tile(mips_.mips, 1, options.period_x, options.period_y);
+    tile_ = repeated_tile(mips_.mips, picture.width, picture.height, 1, options.period_x, options.period_y);
     add_layer(WEFT_LAYER_TILE, nothing_).tile = &tile_;
 }
 

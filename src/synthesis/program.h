@@ -1,8 +1,7 @@
 /// Model + options -> weft_program: layers only, and all the data that they point to.
 #pragma once
 #include "base/core.h"
-#include "synthesis/band_lattices.h"
-#include "synthesis/mips.h"
+#include "synthesis/bilayer_tables.h"
 #include <optional>
 
 namespace weft {
@@ -28,14 +27,15 @@ public:
 
 private:
     static constexpr std::uint32_t most_layers = 16;
-    struct Kernels;
-    void add_textons(Core& core, const Texton& texton, const weft_texture_options& options, const Kernels& kernels);
+    void add_textons(Core& core, const Texton& texton, std::uint32_t images, const weft_texture_options& options,
+                     const Splat_kernels& kernels, const weft_ref& choice);
     void add_texton(Core& core, const Texton& texton, const weft_texture_options& options);
     void add_surface(Core& core, const Texton& texton, const weft_texture_options& options);
     void add_mix(Core& core, const Texton& texton, const weft_texture_options& options);
     void add_map(Core& core, const weft_texture_options& options);
     void add_bands(Core& core, const Wavelet& wavelet, const weft_texture_options& options, Positions positions);
-    void add_tones(Core& core, const Wavelet& wavelet);
+    void add_bilayer(Core& core, const Bilayer& bilayer, const weft_texture_options& options);
+    weft_ref add_structure(Core& core, const Bilayer& bilayer, const weft_texture_options& options);
     void add_picture(Core& core, const Planes& picture, const weft_texture_options& options);
     weft_layer& add_layer(weft_layer_kind kind, const float* mean);
     void publish(const weft_texture_options& options, weft_use use);
@@ -46,16 +46,14 @@ private:
     const weft_layer* order_[most_layers]{};
     float identity_[most_channels * most_channels]{}, mean_[most_channels]{}, nothing_[most_channels]{};
 
-    weft_splat splat_{};
+    Splat_tables splat_;
     weft_tile tile_{};
-    Mip_chain mips_, map_mips_;
+    Mip_chain mips_; ///< of the picture, or of the map
     Planes map_;
-    Array<std::uint32_t> counts_;
-    float offset_[most_channels]{};
-    float colour_[most_channels * most_channels]{}; ///< of the map's plane; of principal axes
+    float colour_[most_channels]{}; ///< of the map's plane
     std::optional<Band_lattices> lattices_;
-    Array<weft_tone> tones_;
-    Array<weft_piece> pieces_;
+    Tone_tables tones_;
+    std::optional<Bilayer_tables> bilayer_;
 };
 
 } // namespace weft

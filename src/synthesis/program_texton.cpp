@@ -2,7 +2,6 @@
 #include "base/error.h"
 #include "base/image.h"
 #include "synthesis/grid.h"
-#include "synthesis/poisson.h"
 #include "synthesis/program.h"
 #include <algorithm>
 #include <cmath>
@@ -18,54 +17,23 @@ double impacts_of(const weft_texture_options& options, float unset) noexcept
 
 } // namespace
 
-/// How a texton's coefficients become kernels.
-struct Program::Kernels {
-    std::uint32_t images; ///< of the texton's, from the first one on
-    double rate;          ///< impacts per pixel, or per pixel cubed
-    double scale;         ///< of the coefficients
-    double mean;          ///< that the impacts of one per unit give, in sums of a kernel: taken off; 0 with signs
-    std::uint32_t axes;   ///< 2, or 3 in space
-    std::uint32_t levels; ///< at most
-    weft_ref choice;
-};
-
-/// Where even cells of one pixel would hold too many impacts, several independent layers share them: a sum of Poisson
-/// processes is one.
-void Program::add_textons(Core& core, const Texton& texton, const weft_texture_options& options, const Kernels& kernels)
+/// Of the texton's images the first `images`. The mean is added here, unless a layer before did so.
+void Program::add_textons(Core& core, const Texton& texton, std::uint32_t images, const weft_texture_options& options,
+                          const Splat_kernels& kernels, const weft_ref& choice)
 {
-    const Planes& alpha = texton.coefficients;
-    const double shares = std::max(1.0, std::ceil(kernels.rate / most_mean)), share = kernels.rate / shares;
-    make_texton_mips(mips_, texton, kernels.images, kernels.scale, kernels.rate, kernels.levels, &core.memory,
-                     core.parallel);
-
-    splat_.size = sizeof splat_;
-    splat_.taps = texton.taps;
-    const double width = alpha.width + texton.taps, height = alpha.height + texton.taps;
-    splat_.cell_log2 = kernels.axes == 2 ? choose_cell_log2(share, width, height, options.period_x, options.period_y)
-                                         : choose_cell_log2_in_space(share, std::max(width, height));
-    const double edge = static_cast<double>(1U << splat_.cell_log2), area = edge * edge;
-    counts_ = poisson_thresholds(&core.memory, share * (kernels.axes == 2 ? area : area * edge));
-    splat_.counts = counts_.data();
-    splat_.count_limit = static_cast<std::uint32_t>(counts_.size());
-    splat_.signs = texton.images > 1 ? 1 : 0;
-    splat_.choice = kernels.choice;
-    splat_.textons = &mips_.mips;
-    splat_.offset = offset_;
-    for (std::uint32_t c = 0; c < channels_; ++c) {
-        double sum = 0;
-        for (std::size_t i = 0; i < alpha.area(); ++i) sum += static_cast<double>(mips_.own[0].plane(c)[i]);
-        offset_[c] = splat_.signs ? 0.0F : static_cast<float>(-(share * kernels.mean * sum)) + 0.0F; // never -0
-    }
+    const std::uint32_t layers = splat_.make(core, {texton.coefficients, texton.images, images, texton.taps}, kernels,
+                                             options.period_x, options.period_y);
+    splat_.splat.choice = choice;
     const bool mean_is_there = layer_count_ > 0;
-    for (int i = 0; i < static_cast<int>(shares); ++i)
-        add_layer(WEFT_LAYER_SPLAT, i == 0 && !mean_is_there ? mean_ : nothing_).splat = &splat_;
+    for (std::uint32_t i = 0; i < layers; ++i)
+        add_layer(WEFT_LAYER_SPLAT, i == 0 && !mean_is_there ? mean_ : nothing_).splat = &splat_.splat;
 }
 
 /// Galerne et al. 2017, equation 6, with lambda impacts per pixel: kernel texton / sqrt(lambda), its mean taken off.
 void Program::add_texton(Core& core, const Texton& texton, const weft_texture_options& options)
 {
     const double rate = impacts_of(options, 30) / static_cast<double>(texton.coefficients.area());
-    add_textons(core, texton, options, {1, rate, 1.0 / std::sqrt(rate), 1, 2, most_levels, nobody});
+    add_textons(core, texton, 1, options, {rate, 1.0 / std::sqrt(rate), 1, 2, most_levels, texton.images > 1}, nobody);
 }
 
 /// Section 6: impacts in space count as far as half a support, r, away from the surface, by a tent whose integral is r
@@ -75,7 +43,8 @@ void Program::add_surface(Core& core, const Texton& texton, const weft_texture_o
     const Planes& alpha = texton.coefficients;
     const double thickness = std::max(alpha.width, alpha.height);
     const double rate = impacts_of(options, 60) / (static_cast<double>(alpha.area()) * thickness);
-    add_textons(core, texton, options, {1, rate, 1.0 / std::sqrt(rate * thickness / 3), thickness / 2, 3, 1, nobody});
+    add_textons(core, texton, 1, options,
+                {rate, 1.0 / std::sqrt(rate * thickness / 3), thickness / 2, 3, 1, texton.images > 1}, nobody);
 }
 
 /// Section 7: impacts have random signs, so that the mean is nobody's; the map chooses their textons and adds the mean.
@@ -86,8 +55,8 @@ void Program::add_mix(Core& core, const Texton& texton, const weft_texture_optio
     add_map(core, options);
     const double rate = impacts_of(options, 30) / static_cast<double>(texton.coefficients.area());
     const std::uint32_t images = options.mix ? texton.images : 1;
-    add_textons(core, texton, options,
-                {images, rate, 1.0 / std::sqrt(rate), 0, 2, most_levels, options.mix ? weft_ref{0, 0} : nobody});
+    add_textons(core, texton, images, options, {rate, 1.0 / std::sqrt(rate), 0, 2, most_levels, true},
+                options.mix ? weft_ref{0, 0} : nobody);
 }
 
 /// Without a map one of a single 0, so that a map of zeros gives the same pixels.
@@ -98,9 +67,9 @@ void Program::add_map(Core& core, const weft_texture_options& options)
                        : Planes(&core.memory, 1, 1, 1);
     for (const float value : map_.values)
         require(value >= 0 && value <= 1, function, ": ", name, " has the value ", value, ", not 0..1");
-    make_picture_mips(map_mips_, map_, &core.memory, core.parallel);
-    tile_ = repeated_tile(map_mips_.mips, static_cast<std::uint32_t>(options.mix_scale), options.period_x,
-                          options.period_y);
+    make_picture_mips(mips_, map_, &core.memory, core.parallel);
+    tile_ = repeated_tile(mips_.mips, map_.width, map_.height, static_cast<std::uint32_t>(options.mix_scale),
+                          options.period_x, options.period_y);
     weft_layer& layer = add_layer(WEFT_LAYER_TILE, mean_);
     layer.planes = layer.channels = 1;
     layer.colour = colour_;

@@ -4,6 +4,7 @@
  * Models come from synthetic exemplars by analysis, whose last bits depend on the machine; they were written once and
  * are kept. The checksums follow from the models alone and are written anew only when a release changes pixels on
  * purpose. */
+#include "bilayers.h"
 #include "golden.h"
 #include "stained.h"
 #include <string.h>
@@ -35,6 +36,21 @@ static weft_model *analyzed(weft_context *context, Grain grain, uint32_t channel
     return model;
 }
 
+static weft_model *layered(weft_context *context, uint32_t channels, weft_structure structure)
+{
+    weft_image photo = new_discs(32, 32, channels, 4);
+    weft_bilayer_options options = WEFT_BILAYER_OPTIONS_INIT;
+    weft_model *model = NULL;
+    options.noises = 2;
+    options.window = options.mask_window = 2;
+    options.support = 8;
+    options.colours = 2;
+    options.structure = structure;
+    assert_ok(weft_analyze_bilayer(context, &photo, &options, NULL, NULL, &model));
+    free_image(&photo);
+    return model;
+}
+
 static void write_models(const char *folder)
 {
     weft_context *context = new_context("scalar", 1);
@@ -46,6 +62,8 @@ static void write_models(const char *folder)
     write_model(new_picture(context, 24, 18, 3, 1), folder, "picture_rgb");
     write_model(new_picture(context, 7, 9, 5, 2), folder, "picture_5");
     write_model(new_tile(context, 72, 64, 3, 3), folder, "tile_rgb");
+    write_model(layered(context, 1, WEFT_STRUCTURE_WANG), folder, "bilayer_wang");
+    write_model(layered(context, 3, WEFT_STRUCTURE_EXCHANGE), folder, "bilayer_exchange");
     weft_context_free(context);
 }
 
