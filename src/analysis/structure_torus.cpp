@@ -128,8 +128,8 @@ Planes folded(Core& core, const Planes& planes, const Seam& seam, bool rows)
         for (std::uint32_t y = 0; y < result.height; ++y)
             for (std::uint32_t x = 0; x < result.width; ++x) {
                 const std::uint32_t at = rows ? y : x;
-                const float share = at < most_band ? share_of(at, seam.place[rows ? x : y]) : 1,
-                            here = planes.row(c, y)[x];
+                const bool twice = at + seam.period < (rows ? planes.height : planes.width); // bands may be narrow
+                const float share = twice ? share_of(at, seam.place[rows ? x : y]) : 1, here = planes.row(c, y)[x];
                 float& to = result.row(c, y)[x];
                 to = here;
                 if (share < 1) {
@@ -145,7 +145,7 @@ Features folded(Core& core, const Features& features, const Seam& seam)
     Features result(&core.memory, seam.period, features.height);
     for (std::uint32_t y = 0; y < result.height; ++y)
         for (std::uint32_t x = 0; x < result.width; ++x) {
-            const float share = x < most_band ? share_of(x, seam.place[y]) : 1;
+            const float share = x + seam.period < features.width ? share_of(x, seam.place[y]) : 1;
             result.at(x, y) =
                 share < 1 ? lerp(features.at(x + seam.period, y), features.at(x, y), share) : features.at(x, y);
         }
