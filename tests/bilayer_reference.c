@@ -118,7 +118,7 @@ void draw_waves(Waves *waves, Random *random)
     double total = 0;
     waves->peaks = 1 + random_below(random, 3);
     for (uint32_t i = 0; i < waves->peaks; ++i) {
-        const double frequency = 0.02 + 0.38 * random_unit(random), angle = turn * random_unit(random);
+        const double frequency = 0.06 + 0.34 * random_unit(random), angle = turn * random_unit(random);
         waves->peak_x[i] = frequency * cos(angle);
         waves->peak_y[i] = frequency * sin(angle);
         waves->width[i] = 0.02 + 0.06 * random_unit(random);

@@ -13,7 +13,9 @@ double distance_of(const double *a, const double *b, uint32_t size);
 /* N = I - P by the joint bilateral filter, freed by the caller. */
 weft_image filtered_noise(const weft_image *photo, uint32_t window, uint32_t width, uint32_t iterations, double sigma);
 
-/* A Gaussian noise of known spectrum: waves of equal amplitude, whose frequencies lie around a few. */
+/* A Gaussian noise of known spectrum: waves of equal amplitude, whose frequencies lie around a few, from those on that
+ * the window of local spectra holds a whole wave of: of slower ones it sees the local mean, and clusters follow that.
+ */
 #define WAVES 256
 typedef struct Waves {
     double x[WAVES], y[WAVES], phase[WAVES]; /* cycles per pixel */
