@@ -186,7 +186,7 @@ static double mean_nearest(const weft_image *exemplar, const weft_image *output,
     double sum = 0;
     for (uint32_t y = 0; y < output->height; ++y)
         for (uint32_t x = 0; x < output->width; ++x) {
-            double least = INFINITY;
+            double least = HUGE_VAL;
             for (uint32_t v = 0; v + patch <= exemplar->height; ++v)
                 for (uint32_t u = 0; u + patch <= exemplar->width; ++u) {
                     double distance = 0;
