@@ -274,7 +274,7 @@ typedef struct weft_stationary_options {
   uint32_t           moments;       /* order of the moments, 1..4; 0: 2 */
   float              sigma;         /* deviation of the Gaussian neighbourhoods over the tile's shorter side, 0.02..1: the smaller,
                                        the evener; 0: 0.1 */
-  uint32_t           patch;         /* side of the patches in pixels, odd, 3..31; 0: 11 */
+  uint32_t           patch;         /* side of the patches in pixels, odd, 3..31; 0: 11. The last vote is of their middle 7 x 7 */
   uint32_t           start;         /* the coarsest level is 1 / start of the tile, 2..16: the more, the larger the features that
                                        stay; 0: 4 */
   uint64_t           seed;

@@ -17,6 +17,9 @@ namespace {
 
 constexpr const char* function = "weft_analyze_stationary";
 constexpr std::uint32_t most_levels = 24, coarsest_iterations = 30, finer_iterations = 3;
+/// Of the last vote: the middles of patches agree better than their rims, so the tile is sharper and keeps more of the
+/// photo's histogram.
+constexpr std::uint32_t last_patch = 7;
 constexpr double ln2 = 0.6931471805599453, step_log2 = 0.37851162325372983; // of 1.3
 constexpr double penalty_share = 0.3;                                       // of the mean distance
 
@@ -92,7 +95,7 @@ public:
         Correspondence result;
         result.photo_width = full_.width;
         result.photo_height = full_.height;
-        result.patch = options_.patch;
+        result.patch = std::min(options_.patch, last_patch);
         result.x = Array<std::uint16_t>(&core_.memory, field_.area(), Array<std::uint16_t>::unset);
         result.y = Array<std::uint16_t>(&core_.memory, field_.area(), Array<std::uint16_t>::unset);
         for (std::size_t i = 0; i < field_.area(); ++i) {
