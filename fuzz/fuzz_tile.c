@@ -53,7 +53,9 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     memcpy(pixels, bytes, size < sizeof pixels ? size : sizeof pixels);
 
     weft_model* model = NULL;
-    int left = shape[5] == 0 ? -1 : shape[5];
+    /* Oriented bands, high moments and many channels take minutes under a sanitizer: only their beginning is seen. */
+    const int slow = options.stationarity == WEFT_STATIONARITY_STEERABLE || options.moments > 2 || photo.channels > 4;
+    int left = slow ? shape[5] % 16 : shape[5] == 0 ? -1 : shape[5];
     options.seed = shape[6];
     const weft_status status = weft_analyze_stationary(context, &photo, &options, count_down, &left, &model);
     if (status == WEFT_OK) {
