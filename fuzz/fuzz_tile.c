@@ -40,8 +40,8 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     uint8_t shape[8];
     fuzz_take(&bytes, &size, shape, sizeof shape);
     fuzz_take(&bytes, &size, (char*)&options + sizeof options.size, 28);
-    if (options.width > largest) options.width = 64 + options.width % 16; /* larger ones are slow, not new */
-    if (options.height > largest) options.height = 64 + options.height % 16;
+    if (options.width - 1 >= largest) options.width = 64 + options.width % 16; /* larger ones, as the default is, are slow, not new */
+    if (options.height - 1 >= largest) options.height = 64 + options.height % 16;
     const weft_image photo = {pixels,        0,           1 + shape[0] % most_side, 1 + shape[1] % most_side,
                               shape[2] % 18, shape[3] % 5};
     const weft_image map = {map_pixels, 0, 2, 2, 1, WEFT_FORMAT_F32};
